@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t label_columns = 12; ///< "  3996.92 | "
+constexpr std::size_t label_columns = 12; ///< width of a label such as "  3996.92 | "
 
 std::span<const LoggedGeneration> shown_of(const GenerationLog& log) {
     return log.compares() ? log.of_all() : log.of(0);

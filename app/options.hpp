@@ -57,7 +57,7 @@ struct DeclaredCommand {
 /// Describes everything declared so far.
 DeclaredCommand declared(const CLI::App&);
 
-/// Declares the options of a command in the order of help. A copy declares for the same command.
+/// Declares the options of a command, in the order in which help lists them. A copy declares for the same command.
 class Options {
 public:
     explicit Options(CLI::App& command) : command_(&command) {}

@@ -1,4 +1,5 @@
-# A second build of the same sources, in CI or under another preset, takes what ccache has.
+# Compiles with ccache, if it is installed. Another build of the same sources, in CI or with another preset, then reuses
+# the compiled files.
 find_program(PLACEDPAR_CCACHE ccache)
 mark_as_advanced(PLACEDPAR_CCACHE)
 if(PLACEDPAR_CCACHE AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)

@@ -1,14 +1,15 @@
 # Installs the program with its documents and examples, the rooms as an exported package, and their public headers.
-# Three components, of which Package.cmake makes Debian packages: program, dev, and mpi where MPI is there.
+# Package.cmake makes a Debian package of each component: program, dev, and, if MPI is installed, mpi.
 include(CMakePackageConfigHelpers)
 
 get_property(rooms GLOBAL PROPERTY PLACEDPAR_ROOMS)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/PlacedPar)
 set(doc ${CMAKE_INSTALL_DATAROOTDIR}/doc)
-set(printed ${PROJECT_BINARY_DIR}/app) # by the program: app/CMakeLists.txt
+set(printed ${PROJECT_BINARY_DIR}/app) # folder of the files that the program prints: see app/CMakeLists.txt
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 
-# All that is installed and not there before a build. What is missing is said before anything is copied.
+# The files that are installed and do not exist before a build. If one of them is missing, the installation ends with an
+# error before it copies any file.
 set(archives ${rooms})
 list(TRANSFORM archives PREPEND placedpar_)
 list(APPEND archives placedpar_program)
@@ -33,7 +34,7 @@ install(FILES ${printed}/completion.zsh DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh
 install(CODE "set(bindir \"${CMAKE_INSTALL_BINDIR}\")\nset(build \"${PROJECT_BINARY_DIR}\")\n
     include(\"${PROJECT_SOURCE_DIR}/cmake/install_unit.cmake\")" COMPONENT program)
 
-# The program reads the examples; who reads the documents finds them beside these, as in the sources.
+# The program reads the examples in share/placedpar. A link makes them visible beside the documents, as in the sources.
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DATADIR}/placedpar)
 install(DIRECTORY docs DESTINATION ${doc}/placedpar)
 install(FILES README.md CHANGELOG.md CITATION.cff LICENSE DESTINATION ${doc}/placedpar)
@@ -53,10 +54,11 @@ install(FILES ${PROJECT_BINARY_DIR}/PlacedParConfig.cmake ${PROJECT_BINARY_DIR}/
         DESTINATION ${package_folder} COMPONENT dev)
 
 if(TARGET placedpar_mpi)
-    install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar COMPONENT mpi) # ranks/ranks.cpp looks there
+    install(TARGETS placedpar_mpi LIBRARY DESTINATION lib/placedpar COMPONENT mpi) # ranks/ranks.cpp loads it from there
 endif()
 
-# The package for Python, if its module is built: where python3 looks below the prefix, which is dist-packages in Debian.
+# Installs the Python package, if its module is built, in the folder below the prefix that python3 searches: in Debian,
+# dist-packages.
 if(TARGET placedpar_python)
     install(CODE "if(EXISTS \"$<TARGET_FILE:placedpar_python>\")
         set(site lib/python${python_version}/dist-packages)
@@ -68,10 +70,11 @@ if(TARGET placedpar_python)
     endif()" COMPONENT python)
 endif()
 
-# What is linked or embedded, as Debian names it in packages.txt, with the licence that Debian's package has.
+# Collects the licences of the libraries that are linked or embedded. packages.txt lists their Debian packages, which
+# contain the licences.
 file(STRINGS ${PROJECT_SOURCE_DIR}/packages.txt libraries REGEX "^(lib|node-|zlib)")
 list(TRANSFORM libraries REPLACE " .*" "")
-list(FILTER libraries EXCLUDE REGEX "clang|mpfr") # the tests' own
+list(FILTER libraries EXCLUDE REGEX "clang|mpfr") # only tests use these
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE copyright)
 foreach(library ${libraries})
     set(licence "It is not known here: see the library.\n")
@@ -79,7 +82,7 @@ foreach(library ${libraries})
         file(READ /usr/share/doc/${library}/copyright licence)
     endif()
     string(SHA1 hash "${licence}")
-    if(NOT hash IN_LIST hashes) # those of Boost's libraries are one
+    if(NOT hash IN_LIST hashes) # all libraries of Boost have the same licence
         list(APPEND hashes ${hash})
         string(APPEND copyright "\n\n======== ${library} is linked or embedded; its licence: ========\n\n${licence}")
     endif()

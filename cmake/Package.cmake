@@ -1,7 +1,7 @@
-# `cpack -G DEB` makes Debian packages of what is installed: placedpar, libplacedpar-dev and placedpar-mpi.
+# `cpack -G DEB` makes Debian packages from the installed files: placedpar, libplacedpar-dev and placedpar-mpi.
 set(CPACK_PACKAGE_NAME placedpar)
 set(CPACK_PACKAGE_CONTACT "The PlacedPar maintainers <placedpar@localhost>")
-set(CPACK_SET_DESTDIR ON) # so that the unit for systemd is told the prefix
+set(CPACK_SET_DESTDIR ON) # so that install_unit.cmake can write the prefix into the unit for systemd
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
@@ -18,8 +18,8 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "gnuplot-nox, libplacedpar-dev, placedpar-mpi")
 
-# Programs that link the rooms need what these are built with, but for header-only libraries that no installed header
-# includes (CLI11, Eigen, toml++) and MPI.
+# A program that links the rooms needs the libraries with which the rooms are built, except MPI and the header-only
+# libraries that no installed header includes (CLI11, Eigen, toml++).
 set(needed ${libraries})
 list(FILTER needed INCLUDE REGEX "-dev$")
 list(FILTER needed EXCLUDE REGEX "cli11|eigen3|mpi|toml")

@@ -1,9 +1,10 @@
-# The public headers of the rooms, as programs outside of the tree include them: under placedpar/, so that they clash
-# with nobody's runtime/. Each room names its doors (placedpar_room's DOORS), which a program may include by name; all other
-# headers that these include lie in placedpar/detail/, and are no promise. They are staged in the build tree, where
-# "room/header.hpp" is rewritten to "placedpar/room/header.hpp" or "placedpar/detail/room/header.hpp", again after each
-# edit. The staged folder is what is installed, and what a project includes that uses PlacedPar by add_subdirectory.
-# Rejected: installing every header, which makes all of the house a promise.
+# Copies the public headers to a folder placedpar/ in the build tree, so that names of rooms, such as runtime/, cannot
+# clash with folders of other projects. Each room lists its public headers as DOORS of placedpar_room(): programs may
+# include them by name. All other headers that the doors include are copied to placedpar/detail/, and may change at any
+# time. In the copies, "room/header.hpp" is replaced by "placedpar/room/header.hpp" or
+# "placedpar/detail/room/header.hpp". The headers are copied again after each change. This folder is installed. Projects
+# that use PlacedPar by add_subdirectory include it, too.
+# Rejected: installing every header. Then no header could be changed without breaking programs.
 
 get_property(doors GLOBAL PROPERTY PLACEDPAR_DOORS)
 get_property(rooms GLOBAL PROPERTY PLACEDPAR_ROOMS)
@@ -14,7 +15,7 @@ foreach(room ${rooms})
 endforeach()
 list(APPEND room_headers ${PROJECT_SOURCE_DIR}/app/program.hpp)
 set(door_list ${PROJECT_BINARY_DIR}/public_headers.cmake)
-file(CONFIGURE OUTPUT ${door_list} CONTENT "set(doors @doors@)\n" @ONLY) # written only when they are others
+file(CONFIGURE OUTPUT ${door_list} CONTENT "set(doors @doors@)\n" @ONLY) # written only if the list has changed
 
 set(script ${CMAKE_CURRENT_LIST_DIR}/stage_headers.cmake)
 set(staged ${PROJECT_BINARY_DIR}/public_headers.stamp)

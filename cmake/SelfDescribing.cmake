@@ -1,9 +1,12 @@
-# Lists of what describes itself, an entry a file, so that adding a file is enough.
+# Makes lists of entries that each have a source file of their own, such as commands and experiments. A new file needs
+# no change elsewhere.
 
-# placedpar_list_entries(list.cpp.in TYPE file.cpp ...): each file defines `extern const TYPE name_TYPE`, in small
-# letters, where name is the file's. Writes list.cpp to the build folder from list.cpp.in, in which @DECLARATIONS@
-# stands for the declarations of them all, and @NAMES@ for their names; where the variable LIST is set, to LIST.cpp. The linker misses what a file does not define.
-# Rejected: registration by constructors of statics, whose order is nobody's, and which linkers drop from libraries.
+# placedpar_list_entries(list.cpp.in TYPE file.cpp ...): writes list.cpp (LIST.cpp, if the variable LIST is set) to the
+# build folder. In list.cpp.in, it replaces @DECLARATIONS@ by the declarations of all entries, and @NAMES@ by their
+# names. Each file NAME.cpp must define an entry `extern const TYPE NAME_type`, whose name ends in the type's name in
+# small letters. The linker reports an entry that is missing.
+# Rejected: registration by constructors of static objects. Their order is undefined, and linkers drop them from
+# libraries.
 function(placedpar_list_entries template type)
     string(TOLOWER ${type} suffix)
     foreach(file ${ARGN})

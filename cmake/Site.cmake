@@ -1,4 +1,5 @@
-# The documents as a site: cmake --build --preset release --target site; then open build/release/site/html/index.html.
+# Builds the documents as a web site: run cmake --build --preset release --target site, then open
+# build/release/site/html/index.html.
 find_program(PLACEDPAR_SPHINX sphinx-build)
 mark_as_advanced(PLACEDPAR_SPHINX)
 set(site_folder ${PROJECT_BINARY_DIR}/site)

@@ -1,14 +1,14 @@
 # cmake -DTREE=... -DOUTPUT=FILE -P commit.cmake
-# Writes a source that says of which commit the sources in TREE are, "" where that is not known: as git describes it in
-# a checkout of our own, else as commit.txt in this folder has it from `git archive`. A file that says so already is
-# left alone, so that a build compiles nothing when no commit was made.
+# Writes a source file with the commit of the sources in TREE; "" if the commit is unknown. In a checkout of PlacedPar,
+# git states the commit. In an archive that `git archive` made, commit.txt in this folder states it. If the source file
+# already has the right text, it is not written again, so a build without a new commit compiles nothing.
 set(commit "")
 file(READ ${CMAKE_CURRENT_LIST_DIR}/commit.txt archived)
 string(STRIP "${archived}" archived)
 find_program(git git)
 if(NOT archived MATCHES "Format")
     set(commit "${archived}")
-elseif(git AND EXISTS ${TREE}/.git) # the git of a project around this one knows nothing of our commits
+elseif(git AND EXISTS ${TREE}/.git) # without this test, git could state the commit of a project around this one
     execute_process(COMMAND ${git} -C ${TREE} describe --always --dirty --exclude=*
                     OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 endif()

@@ -1,6 +1,7 @@
 # cmake -DOUTPUT=FILE.cpp -DHEADER=declares.hpp -DNAMESPACE=NAME -P embed.cmake name FILE [FILE ...] name FILE ...
-# Writes functions `std::string name()` that return the content of the files, one after the other. A name holds no dot.
-set(piece_length 30000) # what every compiler takes as one literal
+# Writes a function `std::string name()` for each name. The function returns the contents of the files that follow the
+# name, joined. A name must not contain a dot, because a dot marks a file.
+set(piece_length 30000) # every compiler accepts a literal of this length
 
 function(as_literals file result)
     file(READ ${file} content)

@@ -1,4 +1,5 @@
-# A part of `cmake --install`, before all others: refuses where a file of `built` is missing in the folder `build`.
+# The first part of `cmake --install`: ends with an error if one of the files in `built` does not exist. `build` is the
+# build folder.
 set(missing "")
 foreach(file IN LISTS built)
     if(NOT EXISTS "${file}")
@@ -6,6 +7,6 @@ foreach(file IN LISTS built)
     endif()
 endforeach()
 if(missing)
-    message(FATAL_ERROR "Nothing is installed, for these are not built:${missing}\n"
-            "Build all that is installed first:\n  cmake --build \"${build}\" --target installed")
+    message(FATAL_ERROR "Nothing was installed, because these files have not been built:${missing}\n"
+            "Build them first:\n  cmake --build \"${build}\" --target installed")
 endif()

@@ -1,10 +1,10 @@
 # cmake -DTREE=... -DDOORS=FILE -DSTAGE=... -P stage_headers.cmake
-# Copies the doors from TREE to STAGE, and every other header that they include to STAGE/detail; takes away what is no
-# longer one of them.
+# Copies the public headers (DOORS) from TREE to STAGE, and every other header that they include to STAGE/detail.
+# Removes all other headers from STAGE.
 cmake_minimum_required(VERSION 3.25)
 include(${DOORS})
 
-# Sets `staged` to where a header lies below STAGE.
+# Sets `staged` to the path of a header below STAGE.
 function(stage_of header)
     set(staged detail/${header})
     if(header IN_LIST doors)
@@ -22,7 +22,7 @@ while(left)
         continue()
     endif()
     if(NOT EXISTS ${TREE}/${header})
-        message(FATAL_ERROR "There is no ${header}, which a CMakeLists.txt calls a door or a public header includes")
+        message(FATAL_ERROR "The header ${header} does not exist, but a CMakeLists.txt lists it in DOORS, or a public header includes it")
     endif()
     list(APPEND seen ${header})
 
@@ -35,7 +35,7 @@ while(left)
         string(REPLACE "${include}" "#include \"placedpar/${staged}\"" text "${text}")
     endforeach()
 
-    # What has not changed keeps its time: consumers need not compile it again.
+    # A header that has not changed is not written, so projects that include it need not compile again.
     stage_of(${header})
     list(APPEND all_staged ${staged})
     set(before)
@@ -57,4 +57,4 @@ endforeach()
 list(LENGTH doors door_count)
 list(LENGTH all_staged count)
 math(EXPR detail_count "${count} - ${door_count}")
-message(STATUS "${door_count} headers for programs outside, ${detail_count} more in detail/")
+message(STATUS "Copied ${door_count} public headers, and ${detail_count} headers that they include to detail/")

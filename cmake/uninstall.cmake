@@ -1,8 +1,8 @@
 # cmake -DMANIFEST=FILE -P uninstall.cmake
-# Removes what `cmake --install` has written to the manifest, below DESTDIR if that is set, and the folders that are ours
-# alone and empty then.
+# Removes the files that `cmake --install` listed in the manifest; if DESTDIR is set, below DESTDIR. Also removes
+# PlacedPar's own folders that are empty then.
 if(NOT EXISTS ${MANIFEST})
-    message(FATAL_ERROR "There is no ${MANIFEST}: nothing was installed from this build as a whole")
+    message(FATAL_ERROR "The file ${MANIFEST} does not exist: this build was not installed, or only some of its components were")
 endif()
 file(STRINGS ${MANIFEST} installed)
 foreach(file IN LISTS installed)

@@ -70,18 +70,18 @@ void require_kept_whole(const ProcessInstance& search) {
                                     search.name, why));
     };
     if (breeds_recoded(search))
-        refuse("belongs to a pair and has a bias point");
+        refuse("belongs to a pair of a coarse and a fine search, and has a bias point");
     for (const PortBinding& each : search.ports)
         if (each.port == "to_host" || each.port == "to_analyst")
             refuse(fmt::format("sends estimates ({})", each.port));
 }
 
-/// Throws UserError naming a parameter that differs between the file and the network.
+/// Throws UserError if a parameter has one value in the file and another value here. `what` names the parameter.
 void require_equal(const std::filesystem::path& path, const std::string& what, const std::string& in_file,
                    const std::string& here) {
     if (in_file != here)
         throw UserError(fmt::format("{}: the checkpoint has {} {}, but this run has {}: give the file of a matching "
-                                    "checkpoint, or delete this one to begin anew",
+                                    "checkpoint, or delete this file to begin anew",
                                     path.string(), what, in_file, here));
 }
 
@@ -102,7 +102,7 @@ CheckpointFile::CheckpointFile(std::filesystem::path path, std::vector<KeptSearc
         read();
 }
 
-/// Throws UserError for a file in another format.
+/// Reads the file. Throws UserError if the file has another format.
 void CheckpointFile::read() {
     try {
         std::ifstream file(path_);
@@ -158,7 +158,7 @@ void CheckpointFile::require_same_run(const json::value& file) const {
     require_equal(path_, "seed", fmt::format("{}", file.at("seed").to_number<std::uint64_t>()),
                   fmt::format("{}", seed_));
     const json::array& kept = file.at("searches").as_array();
-    require_equal(path_, "searches:", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
+    require_equal(path_, "search count", fmt::format("{}", kept.size()), fmt::format("{}", searches_.size()));
     for (std::size_t i = 0; i < searches_.size(); ++i) {
         const KeptSearch& here = searches_[i];
         require_equal(path_, "a search named", json::value_to<std::string>(kept[i].at("name")), here.search);
@@ -170,7 +170,7 @@ void CheckpointFile::require_same_run(const json::value& file) const {
 
 void CheckpointFile::take(const json::value& file) {
     if (json::value_to<std::string>(file.at("placedpar")) != checkpoint_format)
-        refuse_file("another version wrote it");
+        refuse_file("another version of PlacedPar wrote it");
     require_same_run(file);
     begin_ = file.at("generation").to_number<std::uint64_t>();
     if (begin_ == 0)

@@ -29,9 +29,9 @@ public:
     /// two stored states, at least 1.
     ///
     /// Throws UserError if a search of the network depends on data that a checkpoint cannot store (it sends estimates,
-    /// or belongs to a pair), or if no process searches. Throws UserError if the file cannot be read, is not a
-    /// checkpoint, has another seed, or has searches with other names, problems, codings or numbers of individuals.
-    /// Other parameters may have changed: the searches continue with the new values.
+    /// or belongs to a pair of a coarse and a fine search), or if no process searches. Throws UserError if the file
+    /// cannot be read, is not a checkpoint, has another seed, or has searches with other names, problems, codings or
+    /// numbers of individuals. Other parameters may have changed: the searches continue with the new values.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
     /// Makes a checkpoint file for searches of the library, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
@@ -50,7 +50,7 @@ public:
     void keep(const std::string& search, const SearchCheckpoint&) override;
 
 private:
-    using States = std::map<std::string, SearchCheckpoint>; ///< by name of search
+    using States = std::map<std::string, SearchCheckpoint>; ///< key: name of the search
 
     static std::vector<KeptSearch> describe(const Network&);
     [[noreturn]] void refuse_file(const std::string& why) const;
@@ -66,7 +66,7 @@ private:
     std::int64_t checksum_ = 0; ///< checksum of the file that was read; 0 if no file was read
     States begin_states_;
     std::mutex mutex_;
-    std::map<std::uint64_t, States> incomplete_; ///< by generation
+    std::map<std::uint64_t, States> incomplete_; ///< key: generation
 };
 
 } // namespace placedpar

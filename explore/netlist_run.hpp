@@ -30,7 +30,7 @@ private:
 struct RunSettings {
     std::uint64_t seed = 1;
     Time until = Time::max();                  ///< latest end of the run
-    std::optional<std::uint64_t> shuffle = {}; ///< if set, ready processes run in an order drawn from this seed
+    std::optional<std::uint64_t> shuffle = {}; ///< seed of a random order of the ready processes; empty: usual order
     TraceSink* trace = nullptr;                ///< null: no trace
     SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Checkpoints* checkpoints = nullptr;        ///< null: the searches begin anew, and their states are not kept
@@ -39,7 +39,7 @@ struct RunSettings {
     RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 
-/// Runs the network. Throws what the processes throw.
+/// Runs the network. Rethrows the exceptions of the processes.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
 /// Runs the network with the process kinds of a catalogue (netlist/kinds/catalogue.hpp). The kinds already have an
 /// observer and checkpoints, so those in the settings are ignored.

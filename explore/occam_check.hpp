@@ -13,7 +13,7 @@ namespace placedpar {
 /// A program in occam that has been read and checked.
 struct OccamCheck {
     std::unique_ptr<occam::Program> program;
-    occam::SourceOptions options;             ///< options of the text and of the caller
+    occam::SourceOptions options;             ///< options that the text or the caller sets
     const occam::Declaration* main = nullptr; ///< the last procedure of the main file; null if there is none
     std::vector<Diagnostic> diagnostics = {};
     std::string not_shown = ""; ///< a line that says how many errors are not in `diagnostics`; "" if none
@@ -21,8 +21,8 @@ struct OccamCheck {
 };
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
-/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. The text of `standard_input`
-/// is what `#INCLUDE "standard input"` includes. `change` is as for occam::check().
+/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. A program can include the text
+/// of `standard_input` by `#INCLUDE "standard input"`. `change` is as for occam::check().
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
                               std::shared_ptr<const SourceFile> standard_input = nullptr,

@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
 
-/// Returns whether the option --no-checks names a check. Throws UserError if the option names an unknown check.
+/// Returns whether the option --no-checks names the check `name`. Throws UserError if the option names an unknown
+/// check.
 bool leaves_out(const OccamOptions& options, std::string_view name) {
     bool found = false;
     std::string_view rest = options.no_checks;
@@ -38,7 +39,7 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
     return found;
 }
 
-/// Throws RefusedInput if the program has errors. Its warnings stay in the result.
+/// Returns the program with its warnings. Throws RefusedInput if the program has errors.
 OccamCheck without_errors(OccamCheck program) {
     if (program.failed)
         throw RefusedInput(render(program.diagnostics) + program.not_shown);
@@ -65,7 +66,7 @@ bool gets_free_memory(const occam::Declaration& main) {
     return std::get<occam::Procedure>(main.form).parameters.size() == 3;
 }
 
-/// Returns a program that calls a main procedure that uses a terminal.
+/// Returns a program whose only procedure connects the main procedure `main` of the file to the terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
     const std::string file = is_standard_stream(path) ? "standard input" : path.filename().string();
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();

@@ -32,8 +32,9 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
 bool is_occam(const std::filesystem::path&);
 
-/// Returns whether `placedpar run` can run this procedure: its parameters are none, or channels to a host and perhaps
-/// the free memory, or the channels of a terminal. REQUIRES: the program has no errors.
+/// Returns whether `placedpar run` can run this procedure. It can if the procedure has no parameters, or if the
+/// parameters are the channels of a terminal, or channels to a host, perhaps followed by the free memory. REQUIRES: the
+/// program has no errors.
 bool can_be_run(const occam::Declaration& procedure);
 
 struct CompiledOccam {

@@ -34,9 +34,10 @@ struct SimulatedCircuit : CircuitProblem {
     std::vector<double> true_parameters() const { return compliance_in3_per_psi; }
 };
 
-/// Returns scenario A. If `leaking`, adds the leak of section 2.3.2, which begins at the time of the valve's step.
+/// Returns the simulation of the boom in chapter 3 of the thesis, in which the valve opens at once. If `leaking`, adds
+/// the leak of section 2.3.2, which begins when the valve opens.
 ExcavatorScenario boom_of_chapter_3(bool leaking) {
-    constexpr double leak_in3_per_s_psi = 0.004; // takes 7 of 50 in^3/s
+    constexpr double leak_in3_per_s_psi = 0.004; // the leak takes 7 of 50 in^3/s
     ExcavatorScenario scenario = single_boom_scenario();
     if (leaking)
         scenario.links.front().leak = {leak_in3_per_s_psi, Parameters::excavator()["scenario_a.step_time"]};
@@ -50,8 +51,8 @@ const ExcavatorMotion& motion_of_boom(bool leaking) {
     return leaking ? with_leak : sound;
 }
 
-/// Adds the boom of chapter 3 in the motion of scenario A, measured with the lowest of the noise levels studied. The
-/// valve stays open to the end of the motion, so that the record has the usual number of samples.
+/// Adds a problem with the boom's motion, measured with the lowest of the noise levels in chapter 3. The valve stays
+/// open to the end of the motion, so that the record has the usual number of samples.
 void add_boom(ProblemRegistry& problems, std::uint64_t seed, const char* name, AreasFrom from, bool leaking) {
     ExcavatorScenario scenario = boom_of_chapter_3(leaking);
     SimulatedCircuit boom{CircuitProblem(boom_circuit(), scenario.flow),

@@ -51,7 +51,7 @@ std::string expression(const Value& value) {
     return std::visit([](const auto& number) { return fmt::format("{}", number); }, value);
 }
 
-/// Returns the program's kinds, with these settings as the defaults of searching processes.
+/// Returns all process kinds that PlacedPar knows, with these settings as the defaults of searching processes.
 Catalogue kinds_with(const Settings& settings, const ProblemRegistry& problems) {
     Catalogue program = known_kinds(problems), catalogue;
     for (auto [name, kind] : program.kinds()) {
@@ -64,7 +64,7 @@ Catalogue kinds_with(const Settings& settings, const ProblemRegistry& problems) 
     return catalogue;
 }
 
-/// A setting that the netlist fixes to another value.
+/// A setting to which the netlist gives another value than the identification.
 struct Difference {
     const ProcessInstance* process;
     std::string name;
@@ -100,21 +100,23 @@ bool is_val(const std::string& name, const Network& network) {
 }
 
 /// Returns the names of the processes that search. Throws UserError if no process searches, or if a searching process
-/// belongs to a pair.
+/// belongs to a pair of a coarse and a fine search.
 std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
     std::vector<std::string> names;
     for (const ProcessInstance& process : network.processes) {
         if (!searches(process))
             continue;
         if (breeds_recoded(process))
-            throw UserError(fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no "
-                                        "settings; expected ga.traditional, ga.master or ga.island",
-                                        netlist.path.string(), process.name));
+            throw UserError(
+                fmt::format("--on {}: \"{}\" is a coarse or a fine search, for which identify has no settings; "
+                            "expected a process of the kind ga.traditional, ga.master or ga.island",
+                            netlist.path.string(), process.name));
         names.push_back(process.name);
     }
     if (names.empty())
-        throw UserError(fmt::format("--on {}: no process searches, expected ga.traditional, ga.master or ga.island",
-                                    netlist.path.string()));
+        throw UserError(fmt::format(
+            "--on {}: no process searches; expected a process of the kind ga.traditional, ga.master or ga.island",
+            netlist.path.string()));
     return names;
 }
 

@@ -34,7 +34,7 @@ public:
     /// Returns the number of generations that every search has completed.
     std::size_t generations() const;
 
-    // REQUIRES: generation < generations(), counted from 0.
+    // These functions require generation < generations(). Generations are counted from 0.
 
     const SearchAnswer& of(std::size_t search, std::size_t generation) const { return answers_[search][generation]; }
     /// Returns the index of the search with the greatest fitness; if several have it, the first.

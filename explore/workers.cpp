@@ -14,7 +14,7 @@ std::size_t count_cores() { return std::max(std::thread::hardware_concurrency(),
 
 void on_workers(std::size_t workers, const std::function<void(std::size_t)>& work,
                 const std::function<void()>& meanwhile, std::chrono::milliseconds often) {
-    std::vector<std::future<void>> running; // each waits for its thread when it is destroyed
+    std::vector<std::future<void>> running; // the destructor of a future waits for its thread
     const TextsInMemory* texts = texts_of_this_thread();
     const auto work_with_texts = [&work, texts](std::size_t worker) {
         std::optional<ReadsFromMemory> reading;

@@ -113,7 +113,8 @@ private:
         grid_.put(node, at);
     }
 
-    /// Tries all offsets, in steps of half a cell, that place the shape among the placed nodes or beside them.
+    /// Tries all offsets, in steps of half a cell, that place the shape among the placed nodes or beside them. Stores
+    /// the cheapest offset in `best` if it is cheaper than `best`.
     void consider(const Block& block, const Shape& shape, Choice& best) {
         if (empty()) {
             if (!best.shape)

@@ -11,8 +11,8 @@
 
 namespace placedpar::picture {
 
-/// Finds room for small labels. A label overlaps no box and no other label. If possible, it overlaps no wire but its
-/// own.
+/// Finds room for small labels. A label overlaps no box and no other label. If possible, it overlaps no wire except the
+/// wire that it labels.
 class LabelRoom {
 public:
     explicit LabelRoom(const std::vector<Box>& boxes);

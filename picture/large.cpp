@@ -219,7 +219,8 @@ private:
     double below(std::size_t node, double lane) const { return row(node).last + lane; }
 
     /// Returns a path from the bottom of node `a` to the bottom of node `b`. It leads below the row of `a`, along the
-    /// lane to the right of the column of `a`, and below the row of `b`. Within a row it needs no such lane.
+    /// lane to the right of the column of `a`, and below the row of `b`. If both nodes are in one row, the path needs
+    /// no such lane.
     Path through_lanes(std::size_t a, std::size_t b) const {
         double flat = lane(column(a).number, column(b).number), steep = lane(row(a).number, row(b).number);
         Point from = box(a).centre, to = box(b).centre;

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Returns a table of how well the clocks of ranks are known.
+/// Returns a table with the drift of each rank's clock, and the greatest error with which the clock was compared.
 Table clocks_of(const std::vector<RankClock>&);
 
 } // namespace placedpar

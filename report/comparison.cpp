@@ -90,7 +90,7 @@ std::string without_trailing_zeros(std::string number) {
     return number.back() == '.' ? number.substr(0, number.size() - 1) : number;
 }
 
-/// Returns the difference as +.00006, without the zero before the point; "0" if it vanishes at these decimals.
+/// Returns the difference as +.00006, without the zero before the point; "0" if all printed digits are 0.
 std::string print_difference(double difference, int decimals) {
     std::string text = fmt::format("{:+.{}f}", difference, decimals);
     if (text.find_first_of("123456789") == std::string::npos)
@@ -105,7 +105,7 @@ std::string print_bound(const char* sign, double bound, int decimals) {
 std::string print_simulated(const Cell& cell) {
     if (!std::isfinite(cell.simulated))
         return "-";
-    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
+    double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // not -0.00
     return fmt::format("{:.{}f}", simulated, cell.decimals);
 }
 

@@ -9,12 +9,13 @@
 
 namespace placedpar {
 
-/// Print the effects of faults, and the messages that were lost in switches, each under a heading; "" if there are
-/// none.
+/// These functions print the effects of faults, and the messages that were lost in switches, under a heading; "" if
+/// there are none.
 std::string print_faults(const std::vector<FaultUse>&);
 std::string print_switches(const std::vector<SwitchUse>&);
 
-/// Return the same in JSON. Times are in picoseconds.
+/// These functions return the effects of a fault, and the messages that were lost in a switch, as JSON. Times are in
+/// picoseconds.
 boost::json::object json_of_fault(const FaultUse&);
 boost::json::object json_of_switch(const SwitchUse&);
 

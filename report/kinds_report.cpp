@@ -73,7 +73,8 @@ bool is_alias(const DeviceModel& model) {
 /// Returns whether the model is a module with another transputer than the usual transputer, such as B403_T414.
 bool is_variant(const DeviceModel& model) { return model.name.find('_') != std::string::npos; }
 
-/// Returns the names of the kind's models, without aliases, variants and the model that stands for all models.
+/// Returns the names of the kind's models, without aliases, variants, and the model that stands for any model
+/// (DeviceModel::needs_type).
 std::vector<std::string> model_names(const DeviceKind& kind) {
     std::vector<std::string> names;
     for (const DeviceModel& model : kind.models)

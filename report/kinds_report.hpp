@@ -18,7 +18,7 @@ std::string print_kind(const Catalogue&, const std::string& name);
 
 /// Prints a parameter: a line with its name, type, default and range, and a line with its description.
 std::string print_parameter(const ParameterDescription&, const std::optional<Value>& by_default);
-/// Returns all that print_parameter() prints.
+/// Returns as JSON all that print_parameter() prints.
 boost::json::object parameter_json(const ParameterDescription&);
 
 /// Returns {"processes": [...], "devices": [...]}: all that print_kind() prints about the kind with this name, or about

@@ -73,7 +73,7 @@ bool is_whole_noun(const PolicyQuery& asked, const std::string& name) {
            std::ranges::any_of(asked.parameters, has_name);
 }
 
-/// Returns a query for the whole aspect.
+/// Returns the query for a step of the algorithm with all its policies and forms.
 PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     PolicyQuery asked{.noun = std::move(noun), .written = {}, .parameters = {}};
     asked.parameters = parameters_deciding(catalogue, asked.noun.name);
@@ -82,7 +82,7 @@ PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     return asked;
 }
 
-/// Returns the query reduced to the policies and forms of that name; nothing if there are none.
+/// Returns the query with only the policies and forms of that name; nothing if there are none.
 std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     std::vector<PolicyDescription>& policies = asked.noun.policies;
     std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });
@@ -95,7 +95,8 @@ std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     return asked;
 }
 
-/// Returns the meanings of the name: whole aspects or, if no aspect matches, the policies and forms of that name.
+/// Returns the meanings of the name: steps of the algorithm with all their policies or, if no step has this name, the
+/// policies and forms of that name.
 std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::string& name) {
     std::vector<PolicyQuery> whole, parts;
     for (Noun& noun : policy_nouns()) {
@@ -123,7 +124,7 @@ std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::s
             asked.written = {asked.noun.printed(lower_case(name))};
             taking.push_back(std::move(asked));
         } catch (const UserError&) {
-            if (!refusal) // keep the refusal of the first aspect
+            if (!refusal) // keep the refusal of the first step
                 refusal = std::current_exception();
         }
     if (taking.empty())
@@ -231,7 +232,7 @@ struct Entry {
     std::string name, about;
 };
 
-/// Returns the aspect's policies, as a netlist writes them, and its forms.
+/// Returns the policies of a step, as a netlist writes them, and its forms.
 std::vector<Entry> entries_of(const Noun& noun) {
     std::vector<Entry> entries;
     for (const PolicyDescription& policy : noun.policies)
@@ -241,7 +242,7 @@ std::vector<Entry> entries_of(const Noun& noun) {
     return entries;
 }
 
-/// Returns the length of the longest name among all entries.
+/// Returns the length of the longest name among the entries of all steps.
 std::size_t width_of_names(const std::vector<Noun>& nouns) {
     std::size_t width = 0;
     for (const Noun& noun : nouns)

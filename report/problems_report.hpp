@@ -19,7 +19,7 @@ std::string print_problems(const ProblemRegistry&);
 /// are searched. Throws UserError as ProblemRegistry::find() does.
 std::string print_problem(const ProblemRegistry&, const std::string& name);
 
-/// Returns all that print_problem() prints; an unknown optimum is null. Throws as print_problem() does.
+/// Returns as JSON all that print_problem() prints; an unknown optimum is null. Throws as print_problem() does.
 boost::json::object problem_json(const ProblemRegistry&, const std::string& name);
 /// Returns problem_json() of each problem.
 boost::json::array problems_json(const ProblemRegistry&);

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the problem and the coding, which two searches must have in common to be compared.
+/// Returns the problem and the coding. Two searches can be compared only if both are equal.
 std::pair<Value, Value> searched_for(const ProcessInstance& process) {
     auto value = [&](const char* parameter) {
         auto found = process.parameters.find(parameter);

@@ -242,7 +242,7 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
         return json::serialize(json::object{
             {"ended", "refused"},
             {"refused", fmt::format("the run needs more memory than its limit of {} Mbyte", limits.megabytes)}});
-    } catch (const std::exception& failed) { // such as a process that fails
+    } catch (const std::exception& failed) { // for example, a process of the run has failed
         return json::serialize(json::object{{"ended", "failed"}, {"refused", unpainted(failed.what())}});
     }
 }

@@ -111,7 +111,7 @@ public:
 private:
     RunLimits limits_;
     boost::asio::io_context io_;
-    std::map<std::size_t, Mark> marks_; ///< by the index of the submission
+    std::map<std::size_t, Mark> marks_; ///< key: index of the submission
     Runs runs_;
     const Interruption& interruption_;
 };

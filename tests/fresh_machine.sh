@@ -68,7 +68,7 @@ if as without "/srv/placed par/demo" >"$folder/refusal" 2>&1; then
     exit 1
 fi
 cat "$folder/refusal"
-grep -q 'takes root or sudo' "$folder/refusal"
+grep -q 'needs root or sudo' "$folder/refusal"
 remove_machine
 
 say "a user with sudo: ./check, then ./demo without network and rights"

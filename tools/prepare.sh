@@ -1,5 +1,6 @@
-# Sourced by ./demo and ./check: installs what is missing, configures and builds. Leaves the shell in the top folder.
-# PLACEDPAR_PRESET names the CMake preset (release), target what to build (everything).
+# ./demo and ./check source this script. It installs missing packages, configures, and builds. Afterwards the shell is
+# in the top folder.
+# PLACEDPAR_PRESET: the CMake preset; default: release. target: the target to build; default: all targets.
 set -eu
 CDPATH='' cd -- "$(dirname -- "$0")"
 

@@ -36,7 +36,7 @@ constexpr std::string_view loader_source = R"(
         ldl     0; ldlp 4; ldl  1
         gajw; rev; gcall        -- into Wptr and Iptr; what remains is C
         .align
-        .word   0, 0, 0, 0, 0, 0, 0             -- the words of this loader
+        .word   0, 0, 0, 0, 0, 0, 0             -- memory for the variables, and for the words below them
 )";
 
 struct AssembleOptions {
@@ -95,8 +95,8 @@ ExitCode assemble_file(const AssembleOptions& options) {
         throw RefusedInput(render(source.problems));
     const BootableProgram made = bootable(source, *transputer::model_named(options.processor));
     write_whole(options.out, made.file);
-    print_out(fmt::format("{}: {} bytes for #{:X}, {}\n{}", options.out, made.program.bytes.size(), made.program.origin,
-                          made.loaded, options.listing ? made.program.listing() : ""));
+    print_out(fmt::format("{}: {} bytes for address #{:X}, {}\n{}", options.out, made.program.bytes.size(),
+                          made.program.origin, made.loaded, options.listing ? made.program.listing() : ""));
     return ExitCode::success;
 }
 
@@ -112,7 +112,7 @@ Action declare_assemble(Options& command, const std::string&) {
         .one_of(models)
         .show_default();
     command.add_flag("--listing", options->listing, "also prints the program with its addresses and bytes");
-    command.add_footer("The instructions, and how to write them: docs/reference/transputer.md.");
+    command.add_footer("docs/reference/transputer.md describes the instructions and how to write them.");
     return [options] { return assemble_file(*options); };
 }
 

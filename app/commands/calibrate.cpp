@@ -70,8 +70,8 @@ ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<st
     return ExitCode::success;
 }
 
-/// Returns the two ranks of mpirun; null without mpirun. Throws UserError in rank 0 if there are more; the other ranks
-/// must then end silently.
+/// Returns the two ranks of mpirun; null without mpirun. If there are more than two ranks, throws UserError in rank 0;
+/// the other ranks must then end silently.
 std::unique_ptr<Ranks> two_ranks() {
     std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
     if (ranks && ranks->count() > 2 && ranks->own() == 0)

@@ -23,7 +23,7 @@ struct CheckCommandOptions {
     std::string format = "text";
 };
 
-/// Throws RefusedInput with the errors of the file.
+/// Prints the warnings and the summary. If the file has errors, throws RefusedInput with them instead.
 void print_checked(const CheckedFile& checked) {
     const std::string text = render(checked.diagnostics) + checked.not_shown;
     if (checked.failed())
@@ -35,8 +35,8 @@ void print_checked(const CheckedFile& checked) {
 void refuse_for_programs(const Options& typed, const std::string& file) {
     for (const char* option : {"--set", "--use", "--fault"})
         if (typed.is_given(option) && is_occam(file))
-            throw UserError(
-                fmt::format("{} has no effect on {}: it is for netlists, not for programs in occam", option, file));
+            throw UserError(fmt::format("{} has no effect on {}: the option is for netlists, not for programs in occam",
+                                        option, file));
 }
 
 ExitCode check(const CheckCommandOptions& options) {

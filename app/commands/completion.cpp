@@ -29,7 +29,7 @@ complete -o default -F _PROGRAM PROGRAM
 )bash";
 
 constexpr const char* zsh_script = R"zsh(#compdef PROGRAM
-# What may come next is asked of the program itself. Where that is nothing, zsh completes names of files.
+# Asks the program for the words that may come next. If there are none, zsh completes file names.
 _PROGRAM() {
     local -a found
     found=(${(f)"$(PROGRAM completion words -- "${(@)words[2,CURRENT]}" 2>/dev/null)"})
@@ -131,7 +131,8 @@ Action declare_completion(Options& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
     command
         .add("SHELL", options->shell,
-             fmt::format("prints a script for this shell, to be used by: source <({} completion bash)", program_name()))
+             fmt::format("prints a script for this shell, which loads it by: source <({} completion bash)",
+                         program_name()))
         .required()
         .check(refuse_shell)
         .type("bash|zsh");

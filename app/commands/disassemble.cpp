@@ -52,11 +52,11 @@ transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t
 ExitCode disassemble_file(const DisassembleOptions& options) {
     const std::vector<std::uint8_t> file = read_bootable(options.file);
     const transputer::FileRange range = typed_range(options, file.size());
-    print_out(fmt::format(
-        "{}: {}, disassembled for a {}\n"
-        "+: position in the file. ?: nothing in the loader leads to these bytes, so they may be data. The last "
-        "column has the cycles of a block, with code and data on the chip.\n",
-        options.file, counted(file.size(), "byte"), options.processor));
+    print_out(fmt::format("{}: {}, disassembled for a {}\n"
+                          "+: position in the file. ?: no code that the loader starts leads to these bytes, so they "
+                          "may be data. The last "
+                          "column has the cycles of a block, with code and data on the chip.\n",
+                          options.file, counted(file.size(), "byte"), options.processor));
     std::string text;
     transputer::print_bootable(file, *transputer::model_named(options.processor), range, [&](std::string_view part) {
         text += part;

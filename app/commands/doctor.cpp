@@ -60,8 +60,8 @@ std::optional<std::string> find_module_of_ranks() {
     return module.empty() ? std::nullopt : std::optional(module.string());
 }
 
-/// Tries to install a filter at address 0. A kernel that has filters refuses the address; a kernel without filters
-/// refuses the call.
+/// Tries to install a filter of system calls at address 0. A kernel that has filters refuses the address; a kernel
+/// without filters refuses the call.
 std::optional<std::string> find_filters_of_calls() {
     const bool refused = ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) < 0;
     return refused && errno == EFAULT ? std::optional<std::string>("yes") : std::nullopt;

@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError if --on names a netlist, but the search that --way selects cannot run on one.
+/// Throws UserError if --on names a netlist, but the search that --way selects cannot run on a netlist.
 void require_way_of_netlist(const IdentifyOptions& options) {
     if (!options.netlist.empty() && options.way != "thesis")
         throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; --way {} runs "

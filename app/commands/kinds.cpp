@@ -63,7 +63,7 @@ std::string read_if_file(const Catalogue& catalogue, const std::string& name) {
 
 enum class Meant { kinds, all_problems, problem, all_policies, policy };
 
-/// Throws UserError if the name is unknown.
+/// Returns what the name stands for. Throws UserError if the name is unknown.
 Meant kind_of_name(const Catalogue& catalogue, const ProblemRegistry& problems, const std::string& name) {
     auto known = known_names(catalogue);
     if (name.empty() || catalogue.find(name) || std::ranges::count(known, known_name(catalogue, name)) > 0)

@@ -41,7 +41,7 @@ std::string describe_options(const DeclaredCommand& command) {
     return out;
 }
 
-/// Returns the lines unchanged, as a block.
+/// Returns the lines as a block that troff prints without changes.
 std::string as_typed(const std::string& text) { return text.empty() ? "" : ".PP\n.nf\n\\&" + troff(text) + "\n.fi\n"; }
 
 std::string describe_command(const DeclaredCommand& command) {

@@ -155,7 +155,8 @@ std::optional<double> seconds_of_a_run(Session& session) {
     return start && start->refused.empty() ? seconds : seconds_of(session.study, session);
 }
 
-/// Returns whether to begin; false if the session was interrupted.
+/// Returns whether to begin the search. If it may need very many runs, asks the user. Returns false if the session was
+/// interrupted.
 bool is_meant(Session& session) {
     std::uint64_t runs = most_runs(session);
     if (runs <= most_unasked || session.options.yes)
@@ -179,7 +180,7 @@ bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
            (!session.options.exhaustive || add(search.exhaustive()));
 }
 
-/// Returns nullopt if the search was interrupted or not confirmed.
+/// Makes all searches and returns their results; nullopt if a search was interrupted or not confirmed.
 std::optional<Optimum> search_for(Session& session) {
     Optimum optimum;
     optimum.measures = session.study.search->minimise;
@@ -195,7 +196,8 @@ std::optional<Optimum> search_for(Session& session) {
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
 }
 
-/// Returns nullopt if interrupted, or if the run is too long to be kept.
+/// Returns the critical path of a run with these settings; nullopt if the run was interrupted, or if the path is too
+/// long to be kept.
 std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
     RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),

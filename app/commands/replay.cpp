@@ -112,7 +112,7 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
         throw UserError(fmt::format(
-            "--against printed has no effect on {}, whose expected figures are the printed ones; it affects {}",
+            "--against printed has no effect on {}, whose expected figures are the printed ones; the option affects {}",
             experiment.name, fmt::join(having, ", ")));
 }
 
@@ -128,7 +128,7 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-/// Opens the results of the study's runs.
+/// Opens the file of --resume, which keeps the finished runs. Without this option, keeps them in memory.
 StudyResults results_of(const ReplayOptions& options) {
     const std::string whose =
         fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);
@@ -140,7 +140,7 @@ std::size_t number_of_seeds(const Experiment& experiment, const ReplayOptions& o
     return options.seeds != 0 ? options.seeds : experiment.seeds;
 }
 
-/// Throws UnfinishedRun.
+/// Runs the experiment. Throws UnfinishedRun if a run does not complete or is interrupted.
 Replay run_experiment(const Experiment& experiment, const ReplayOptions& options, Interruption& interruption) {
     ProgressLine progress;
     StudyResults results = results_of(options);

@@ -48,7 +48,7 @@ struct RunOptions {
     BootedOptions booted;
     NativeOptions native;
     std::string json, log, convergence, checkpoint; ///< files; "": not written
-    std::uint64_t checkpoint_every = 10;            ///< generations
+    std::uint64_t checkpoint_every = 10;            ///< number of generations
     RecordedFiles recorded;
     Time until = Time::max();
     std::uint64_t seed = 1;
@@ -59,7 +59,7 @@ struct RunOptions {
     std::string offer;                           ///< address at which the host's link is offered to another program;
                                                  ///< "": not offered
     std::shared_ptr<Ranks> ranks;                ///< ranks of a native run; null without mpirun
-    std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
+    std::shared_ptr<CheckpointFile> checkpoints; ///< null without --checkpoint
     std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded
 
     std::array<std::filesystem::path, 6> outputs() const {
@@ -103,7 +103,7 @@ void require_outputs(const RunOptions& options) {
             require_writable(path);
 }
 
-/// Throws UserError for an option that only simulated runs have.
+/// Throws UserError if the run is native, but an option is only for simulated runs, or the other way round.
 void require_native(const RunOptions& options) {
     refuse_with_native(options.native, !options.netlist.calibration.empty(),
                        {{options.until != Time::max(), "--until"},
@@ -177,7 +177,7 @@ bool others_are_meant(const RunOptions& options, std::chrono::steady_clock::time
 /// confirm them.
 std::vector<FinishedRun> run_seeds(const Network& network, const RunOptions& options, TraceSink* trace,
                                    Interruption& interruption) {
-    std::optional<ProgressLine> progress; // not with --watch, which the line would disturb
+    std::optional<ProgressLine> progress; // not with --watch, whose curve the line would disturb
     if (options.seeds > 1 && !options.watch)
         progress.emplace();
     std::vector<FinishedRun> runs;
@@ -368,7 +368,7 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
 
 void add_searches(Options& command, RunOptions& options) {
     add_count(command, "--seeds", options.seeds,
-              "number of runs, with consecutive seeds from --seed on; compares their "
+              "number of runs, with consecutive seeds from --seed on; the report compares their "
               "searches")
         .check(not_at_least_one)
         .show_default();

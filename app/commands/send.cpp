@@ -74,8 +74,8 @@ struct SimulatedTimes {
     std::string departure = ""; ///< difference between the simulated run and the run on the board; "" if there is none
 };
 
-/// Simulates the program with the replies from the run on the board. A simulated run that takes much longer is stopped.
-/// Returns nothing if the program cannot be read again, or did not end on the board.
+/// Simulates the program with the replies from the run on the board. The simulated run is stopped if it takes much
+/// longer than the run on the board. Returns nothing if the program cannot be read again, or did not end on the board.
 std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
                                        Interruption& interruption) {
     if (!looks_bootable(options.file) || board.state == iserver::ServerState::running ||
@@ -122,8 +122,9 @@ std::string print_board_run(const SendOptions& options, std::size_t bytes, const
                                 static_cast<double>(bytes) / 1000 / std::max(in_seconds(run.boot_time), 1e-6))) +
         print_times("run", run.run_time, times(&SimulatedTimes::run), counted(run.requests, "request"));
     if (simulated)
-        text += fmt::format("simulated: {} with {} of memory, an access in {} cycles; the host takes no time\n",
-                            options.booted.processor, options.booted.memory, options.booted.memory_cycles);
+        text += fmt::format(
+            "simulated: a {} with {} of memory, each access of which takes {} cycles; the host takes no time\n",
+            options.booted.processor, options.booted.memory, options.booted.memory_cycles);
     if (simulated && !simulated->departure.empty())
         text += fmt::format("the simulated program differs: {}\n", simulated->departure);
     return text;

@@ -13,7 +13,7 @@ namespace {
 
 double sum_of(const std::vector<double>& fitness) { return std::accumulate(fitness.begin(), fitness.end(), 0.0); }
 
-/// Numbers the strings from 1.
+/// Prints the table of step 0. The strings are numbered from 1.
 std::string evaluation_text(const WalkedGeneration& walked) {
     double sum = sum_of(walked.fitness), from = 0;
     std::string out = "step 0: fitness, and the sectors of the roulette wheel\n"

@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// The settings of a search small enough to follow by hand: strings of four bits (the vertices of Figure 6.2),
-/// roulette, one-point crossover, mutation.
+/// The settings of a search small enough to follow by hand: strings of four bits (the vertices of the hypercube in
+/// Figure 6.2), roulette, one-point crossover, mutation.
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;

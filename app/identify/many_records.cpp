@@ -39,7 +39,7 @@ struct LinkMovements {
     WayUnits units{};
 };
 
-/// Collects the movements of a record that count as evidence, by the rules of the verdicts.
+/// Collects the movements of a record that count as evidence (is_evidence()).
 class MovementsOfRecord {
 public:
     explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
@@ -81,7 +81,7 @@ private:
     PerLink<LinkMovements> links_;
 };
 
-/// Returns the standard deviation, from record to record, of the compliance's error that the equations cause
+/// Returns the standard deviation, from record to record, of the error that the equations cause in a compliance
 /// (identification/verdict/deviation.hpp).
 double repeat_error(double healthy_in3_per_psi) {
     return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
@@ -125,8 +125,8 @@ public:
     }
 
     bool stopped() const { return interruption_.requested(); }
-    /// Returns an answer without values if the record has no movement that is evidence. Throws RefusedInput and
-    /// UnfitRecord.
+    /// Reads a record and returns its answer. The answer has no values if no movement of the record counts as evidence.
+    /// Throws RefusedInput and UnfitRecord.
     RecordAnswer read(const std::string& path) {
         ++number_;
         RecordPieces pieces(path, needs_of_service(options_), print_warnings, [&] { return stopped(); });

@@ -30,7 +30,7 @@ constexpr std::size_t most_columns = 8; ///< largest number of searches in a tab
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 
-/// The answers after one sample.
+/// A sample, and the generation whose answers are the answers after this sample.
 struct SampleAnswers {
     double taken_s; ///< time of the sample in the record
     std::size_t generation;
@@ -117,15 +117,15 @@ boost::json::object answers_json(const SearchAnswers& answers, std::span<const S
             {"answers", std::move(all)}};
 }
 
-/// Returns whether sensors read the samples in time. Throws UserError if the period of the sensors differs from
-/// `period_s`.
+/// Returns whether a process of the kind ga.sensors sends each sample at its time in the record. Throws UserError if
+/// its period differs from `period_s`.
 bool has_sensors(const Network& network, double period_s) {
     auto sensors = std::ranges::find(network.processes, "ga.sensors", &ProcessInstance::kind);
     if (sensors == network.processes.end())
         return false;
     const double period_ms = std::get<double>(sensors->parameters.at("period"));
     if (std::abs(period_ms / (1000 * period_s) - 1) > sampling_tolerance)
-        throw UserError(fmt::format("period = {} in the netlist for \"{}\", but the samples are {:.4g} ms apart",
+        throw UserError(fmt::format("period = {} ms in the netlist for \"{}\", but the samples are {:.4g} ms apart",
                                     period_ms, sensors->name, 1000 * period_s));
     return true;
 }
@@ -139,7 +139,7 @@ AnswerInTime answer_in_time(const ProcessSearch& search, const ComplianceSearch&
     const RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
     if (report.result.ending != Ending::completed || rows.empty())
-        throw UserError(fmt::format("{}: the processes give no answer: {} at {:.3f} s", search.network.source_path,
+        throw UserError(fmt::format("{}: the processes gave no answer: {} at {:.3f} s", search.network.source_path,
                                     name_of(report.result.ending), seconds(report.result.time)));
     const std::size_t last = rows.back().generation, best = answers.fittest(last);
     AnswerInTime found{answers.of(best, last).values, answers.searches()[best]};

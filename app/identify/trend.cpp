@@ -71,7 +71,8 @@ std::string print_changes(const Trend& trend, Link link) {
     return text;
 }
 
-/// Returns whether a link has too few records to show that its standard errors are too small.
+/// Returns whether some link has so few records that the scatter of its values cannot show whether the standard errors
+/// are too small.
 bool is_short(const Trend& trend) {
     return std::ranges::any_of(links_of(trend.links()), [&](Link link) {
         return trend.records_of(link, TrendValue::compliance).size() < fewest_for_scatter;

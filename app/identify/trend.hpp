@@ -78,7 +78,8 @@ private:
 
 std::string print_trend(const Trend& trend);
 boost::json::object trend_json(const Trend& trend);
-/// Draws each link's compliance over the dates, and each leak and offset that changed. Throws UserError, as draw_svg().
+/// Draws each link's compliance over the dates, and each leak and offset that changed. Throws UserError as draw_svg()
+/// does.
 std::string trend_svg(const Trend& trend);
 
 } // namespace placedpar

@@ -42,8 +42,9 @@ int mpi_length(std::size_t bytes) {
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance: a letter that MPI must buffer first takes several times as
-/// long as such a letter. MPI fills the places in the order of arrival, so only one place at a time is checked.
+/// Receives letters into memory that MPI knows in advance. Without such memory, MPI would buffer each letter first,
+/// which takes several times as long. MPI fills the places in the order of arrival, so only one place at a time is
+/// checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {
@@ -82,7 +83,7 @@ public:
         Sent& sent = spare_.front();
         sent.bytes.assign(letter.begin(), letter.end());
         MPI_Isend(sent.bytes.data(), mpi_length(letter.size()), MPI_BYTE, to, letters, own_world_, &sent.request);
-        if (!is_complete(sent.request)) // rare
+        if (!is_complete(sent.request)) // happens rarely
             sent_.splice(sent_.end(), spare_, spare_.begin());
     }
 
@@ -123,7 +124,7 @@ public:
     bool has_all_parcels() const override { return expected_.empty(); }
 
 private:
-    static constexpr int letters = 0, first_parcel = 1; ///< tags
+    static constexpr int letters = 0, first_parcel = 1; ///< MPI's tags
 
     struct Place {
         std::array<std::uint8_t, longest_letter> bytes;
@@ -144,7 +145,7 @@ private:
     std::array<Place, 32> places_;
     std::size_t next_ = 0;    ///< the place that the next letter fills
     Place* in_use_ = nullptr; ///< the place whose letter is being read
-    std::list<Sent> spare_;   ///< memory for a letter
+    std::list<Sent> spare_;   ///< memory that the next letters can use
     std::list<Sent> sent_;    ///< messages that MPI has not sent yet
     ExpectedParcels<MPI_Request> expected_;
 };
@@ -177,7 +178,7 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// `false`: an exception in one rank does not abort the other ranks; they learn of it by messages.
+    /// `false`: an exception in one rank does not abort the other ranks; messages tell them about the exception.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

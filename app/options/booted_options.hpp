@@ -33,10 +33,11 @@ void add_host(Options&, BootedOptions&, const std::string& heading);
 /// twice.
 HostServices services_of(const BootedOptions&);
 
-/// Returns a function that makes the terminal of a program: the keys that were typed as an option, or else the terminal
-/// of PlacedPar. Throws UserError if the keys cannot be read. `interrupted` returns whether to end a wait for a key; it
-/// is called while a terminal exists. `unread` is called when the reader of the screen has gone. If there is no
-/// standard input, only the keys of the option are pressed.
+/// Returns a function that makes the terminal of a program. This terminal presses the keys of the option --keys;
+/// without the option, it is the terminal or the standard input of PlacedPar. Throws UserError if the keys of the
+/// option are wrong. `interrupted` returns whether to end a wait for a key; it is called while a terminal exists.
+/// `unread` is called if the program's output cannot be written, because the process that reads it has ended. If
+/// `uses_standard_input` is false, only the keys of the option are pressed.
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions&,
                                                                  std::function<bool()> interrupted,
                                                                  std::function<void()> unread,

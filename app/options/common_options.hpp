@@ -21,7 +21,7 @@ void add_seed(Options& command, std::uint64_t& seed,
               const std::string& about = "seed of all random numbers: equal seeds give equal runs");
 
 /// Declares an option whose value is a count. It accepts digits only, for a number of at most 64 bits. CLI11 itself
-/// would accept -1 and numbers that are too large as the greatest number, and 010 as eight.
+/// would read -1, and a number that is too large, as the greatest number, and 010 as eight.
 template <class Count>
 Option add_count(Options& command, const std::string& option, Count& count, const std::string& about) {
     return command.add(option, count, about).type("N").check(not_a_whole_number);

@@ -9,7 +9,7 @@ namespace placedpar {
 /// Declares --link: links by name or symbol, separated by commas.
 Option add_links(Options&, std::string& links, const std::string& about);
 
-/// Declares --configuration, a to e, of the main valve.
+/// Declares --configuration: the configuration of the main valve, a to e.
 Option add_configuration(Options&, std::string& configuration, const std::string& about);
 
 } // namespace placedpar

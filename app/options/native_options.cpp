@@ -31,7 +31,7 @@ namespace {
 
 constexpr double slowest_pace = 1e-6, fastest_pace = 1e6;
 
-/// The kinds of the processes of one thread. Each thread has its own problems, because a problem may cache results.
+/// The process kinds of one thread. Each thread has its own problems, because a problem may cache results.
 struct KindsOfThread {
     KindsOfThread(std::uint64_t seed, SearchObserver* observer, Checkpoints* checkpoints)
         : problems(known_problems(seed)), catalogue(known_kinds(problems, observer, checkpoints)) {}
@@ -144,10 +144,9 @@ bool load_in_all(Ranks& ranks, const NativeOptions& options, std::uint64_t seed,
     return all_prepared(ranks, [&] {
         const LoadedRun loaded = load();
         if (options.threads > 1)
-            throw UserError(
-                fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: start more "
-                            "ranks",
-                            options.threads));
+            throw UserError(fmt::format("--threads {}: each rank of mpirun runs its processes on one thread: leave out "
+                                        "--threads, and start more ranks",
+                                        options.threads));
         return fmt::format("{} {} {} {} {} {} {}", version_text(), hex(network_hash(canonical_form(loaded.network))),
                            seed, options.map, options.pace, loaded.checkpoints, loaded.is_recorded);
     });

@@ -49,7 +49,7 @@ struct TypedNetlist {
     Overrides set;
 };
 /// Parses the netlist. With --predict, parses the netlist of its native run (explore/prediction/native_netlist.hpp), to
-/// which no settings apply. Throws as load_network().
+/// which no settings apply. Throws as load_network() does.
 TypedNetlist parse_netlist(const NetlistOptions&, const WarningSink&);
 
 /// Reads the netlist. Throws RefusedInput.

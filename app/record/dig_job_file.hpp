@@ -10,8 +10,8 @@ namespace placedpar {
 /// Reads an operator's moves from a TOML file:
 ///
 ///     about = "a trench"
-///     repeat = 3                                                          # the moves; 1 if not given
-///     start = {reach = 300, height = -20, pitch = -60, swing = 0}         # in, in, deg, deg
+///     repeat = 3                                                          # how often the moves are made; 1 if not
+///     given start = {reach = 300, height = -20, pitch = -60, swing = 0}         # in, in, deg, deg
 ///
 ///     [[move]]
 ///     seconds = 4

@@ -38,7 +38,7 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
                  RandomStream noise) {
     try {
         return scenario.make(parameters, moving, [&] { return noise.uniform(); });
-    } catch (const UnfitScenario& unfit) { // a job can be impossible, for example if its soil lifts a load
+    } catch (const UnfitScenario& unfit) { // a job can be impossible, for example if the soil's force cancels a load
         throw UserError(moving.job ? fmt::format("--job {}: {}", moving.job->name, unfit.what()) : unfit.what());
     } catch (const std::domain_error&) { // from Boost's solver: the flows at the ends of the interval have equal signs
         throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the "
@@ -79,7 +79,7 @@ ChangedParameters changes_of(const RecordScenario& scenario, const Parameters& p
     return changed;
 }
 
-/// Returns whether this is the compliance of a moving link.
+/// Returns whether the parameter is the compliance of a moving link.
 bool is_compliance_of(const LinksInMotion& moving, const Parameter& parameter, const RecordScenario& scenario) {
     if (!scenario.uses(parameter.name) || !parameter.name.ends_with("let_compliance"))
         return false;

@@ -53,7 +53,7 @@ CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& ca
     return checked;
 }
 
-/// Says what a program without errors is for. `main` is null if there is no procedure.
+/// Says how a program without errors can be used. `main` is null if there is no procedure.
 std::string use_of(const occam::Declaration* main) {
     if (!main)
         return "the file has no procedure";
@@ -76,8 +76,7 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     return checked;
 }
 
-/// Returns the first run of a study for which the condition holds; nothing if the condition holds for none of the first
-/// runs.
+/// Returns the first run that satisfies the study's condition; nothing if none of the first 10,000 runs satisfies it.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);
@@ -87,7 +86,8 @@ std::optional<StudyRun> first_run(const Study& study) {
     return std::nullopt;
 }
 
-/// Reports a fault of a whole netlist in the study that names the netlist, because the netlist may not exist.
+/// Moves a fault that has no line from the netlist to the study, because the netlist may not exist. The message then
+/// begins with the netlist's path.
 void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
     if (!fault.location.file || fault.location.line > 0)
         return;

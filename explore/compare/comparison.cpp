@@ -58,7 +58,8 @@ std::string without_routes(const std::string& mapping) {
     return kept;
 }
 
-/// Returns A with one section of B. Channels are routed anew if the section is the hardware or the software.
+/// Returns the text of network A in which one section comes from network B. If the section is the hardware or the
+/// software, the routes of channels are left out, so that they are chosen anew.
 std::string with_section_of(const Network& a, const Network& b, Section section) {
     auto sections = sections_of(print_cfs(a));
     const auto index = static_cast<std::size_t>(section);
@@ -87,7 +88,7 @@ public:
     }
 
 private:
-    /// A run to be made, and how its network is read.
+    /// A run that has yet to be made, and the function that reads its network.
     struct Attempt {
         OneChange* change;
         std::function<Network()> read;
@@ -123,7 +124,7 @@ private:
                 result_.following.insert(each.section);
     }
 
-    /// Returns A with the vals of B; A itself if A is refused with these vals.
+    /// Returns network A with the vals of B. If A is refused with these vals, returns A with its own vals.
     Network read_with_vals() const {
         try {
             return load_silently(a_.parsed, with(vals_));
@@ -137,14 +138,14 @@ private:
         return vals;
     }
 
-    /// Returns a network with changed settings of its elements. The text already contains the network's own settings,
-    /// so no setting is given twice.
+    /// Returns the network with the settings `set`. The other settings stay as they are, since print_cfs() writes them
+    /// into the text.
     static Network with_settings(const Network& network, const Overrides& set) {
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
 
-    /// Returns A with one section of B. Elements that A has keep their settings, because settings are compared
-    /// separately.
+    /// Returns network A with one section of network B. Elements that are also in A have A's settings, because settings
+    /// are compared separately.
     Network with_section(Section section) const {
         const Network swapped = load_silently(
             ParsedNetlist::of_text(with_section_of(result_.a, result_.b, section), result_.a.source_path), {});
@@ -176,8 +177,7 @@ private:
 
     void try_changes() {
         std::vector<Attempt> attempts;
-        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // the attempts have pointers to
-                                                                                       // its elements
+        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point to elements
         for (const SettingDifference& each : result_.settings)
             if (each.elements.empty())
                 add(attempts, what_of(each), each.set,
@@ -256,7 +256,7 @@ private:
     const Interruption& interruption_;
     const std::function<void(std::size_t, std::size_t)>& progress_;
     NetlistComparison result_;
-    Overrides vals_;                   ///< vals of B that differ from those of A
+    Overrides vals_;                   ///< vals of B whose values in A differ
     std::optional<Network> with_vals_; ///< A with these vals
 };
 

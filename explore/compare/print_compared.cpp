@@ -22,7 +22,7 @@ std::string print_ending(const char* letter, const std::string& name, const RunR
                        to_string(report.result.time), network.hash);
 }
 
-/// Returns "2 only in A (x, y)"; "" if there are none.
+/// Returns "; 2 only in A: x, y"; "" if there are none.
 std::string print_only(const std::vector<std::string>& only, const char* where) {
     constexpr std::size_t most = 4;
     if (only.empty())

@@ -110,7 +110,7 @@ std::string what_is_wrong(const StudentRun& made, const std::string& expected) {
 }
 
 std::string SolutionVerdict::text() const {
-    return wrong.empty() ? fmt::format("solved; also in {} other orders of its processes", other_orders)
+    return wrong.empty() ? fmt::format("solved; also with {} other orders of its processes", other_orders)
                          : "not solved: " + wrong;
 }
 

@@ -23,8 +23,8 @@ struct StudentRun {
 const char* name_of(StudentRun::End, const std::string& wrong);
 
 /// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
-/// ends after 10 s of simulated time, or 64 Kbyte of output. `shuffle`: if set, ready processes run in an order drawn
-/// from this seed.
+/// ends after 10 s of simulated time, or 64 Kbyte of output. If `shuffle` is set, ready processes run in a random
+/// order, and `shuffle` is the seed of this order.
 StudentRun run_student_program(const Network&, std::optional<std::uint64_t> shuffle, Interruption&);
 
 /// Describes what is wrong with a run, in a few lines without a newline at the end; returns "" if nothing is wrong.

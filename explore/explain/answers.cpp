@@ -17,7 +17,8 @@ Overrides with_set(const Overrides& set, Overrides changes) {
     return changes;
 }
 
-/// Reads changed netlists silently, since their warnings have been shown.
+/// Returns a function that reads the netlist with some changes. The function shows no warnings, since the warnings of
+/// the netlist have been shown before.
 ChangedNetlist reading_with(const ChangedRuns& runs) {
     return [parsed = runs.parsed, set = runs.set, host = runs.host](const Overrides& changes) {
         Network network =

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Returns the explanation of a run that the critical path has observed; no change has been tried yet.
+/// Returns the explanation of a run, without answers about changes. REQUIRES: the critical path has observed the run.
 Explanation explanation_of(RunReport, const CriticalPath&);
 
 /// The data for repeating a run with changes.
@@ -20,7 +20,7 @@ struct ChangedRuns {
     std::uint64_t seed;
     Time until;
     std::function<void(std::size_t, std::size_t)> progress; ///< as WhatIfs::progress
-    HostServices host = {};                                 ///< host of the changed runs
+    HostServices host = {};                                 ///< services of the host in the changed runs
     std::size_t at_once = count_cores();                    ///< number of runs at a time
 };
 /// Tries the changes that are worth trying and adds the answers, or says in `not_tried` why no change can be compared.

@@ -17,9 +17,9 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::int64_t fastest = 1'000'000'000; ///< greatest speed that the language accepts
+constexpr std::int64_t fastest = 1'000'000'000; ///< greatest clock (Hz) and link speed (bits/s) in a netlist
 constexpr std::size_t most_alone = 10;          ///< largest number of single parts of each kind that are varied
-constexpr std::size_t most_nodes_in_full = 256; ///< in larger networks, fewer changes are tried
+constexpr std::size_t most_nodes_in_full = 256; ///< in networks with more nodes, fewer changes are tried
 constexpr std::size_t most_alone_of_many = 3;   ///< replaces `most_alone` in larger networks
 
 /// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
@@ -63,7 +63,7 @@ std::string array_of(const std::string& name) { return name.substr(0, name.find(
 
 std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
 
-/// Returns the names of the busiest uses, the busiest first.
+/// Returns the names of the at most `most` uses with the longest times that `spent` returns, the longest first.
 template <class Uses, class Name, class Spent>
 std::vector<std::string> busiest(std::size_t most, const Uses& uses, Name name, Spent spent) {
     std::vector<std::pair<Time, std::string>> by_time;
@@ -111,8 +111,8 @@ private:
         }
     }
 
-    /// Returns whether the change is the smallest or the greatest of three. Runs of many processors take long, so only
-    /// the change between these two is tried.
+    /// Returns whether the change has this factor. In a large network, whose runs take long, neither the smallest nor
+    /// the greatest factor is tried, only the factor between them.
     static bool is_extreme(const Change& change, const Factor& factor) {
         return change.change == factor.faster || change.change == factor.less;
     }
@@ -245,8 +245,8 @@ private:
         return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
     }
 
-    /// Adds the changes of a process's computing time, by its parameters. A process that is alone on a processor is
-    /// varied by changes of the processor.
+    /// Adds changes that reduce a process's computing time, by those of its parameters that are in cycles. REQUIRES:
+    /// the process shares its processor. For other processes, a faster clock has the same effect.
     void add_process(const ProcessInstance& process) {
         for (const Factor& factor : factors) {
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
@@ -311,8 +311,8 @@ private:
             changes_.push_back(std::move(change));
     }
 
-    /// Returns whether the settings make more processes or processors. A refused machine counts, since the refusal says
-    /// why there cannot be more.
+    /// Returns whether the netlist with these settings declares more processes or processors. A netlist that is refused
+    /// counts, too: the refusal then tells the user why there cannot be more.
     bool makes_more(const Overrides& set) const {
         Declared then = declared_(set);
         return then.processes > now_.processes || then.processors > now_.processors;

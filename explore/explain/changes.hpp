@@ -28,8 +28,8 @@ using DeclaredWith = std::function<Declared(const Overrides&)>;
 /// array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip memory. Constants
 /// in cycles or bytes are reduced by 10 %, halved, and set to 0. The cycles of single processes are reduced in the same
 /// way, for the ten busiest processes that share a processor with others. Vals that determine the number of processes
-/// or processors are raised by one. In a network of more than 256 nodes, only the second of such three changes is
-/// tried. Changes of single parts are then tried for three parts of each kind.
+/// or processors are raised by one. If the network has more than 256 nodes, only the second of the three changes (twice
+/// as fast, or halved) is tried for each part, and only the three busiest parts of each kind are changed alone.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

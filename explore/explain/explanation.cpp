@@ -82,7 +82,7 @@ MachineRows machine_of(const Explanation& explanation) {
         if (Time waited = waited_to(link, explanation); link.bytes > 0)
             rows.links.push_back(use_of("link", link_direction(link), width, link.occupied, whole,
                                         waits(percent(waited, whole)).as("waits_to_ps", waited.count())));
-    for (const BusUse& bus : report.buses) // may exceed 100 %: several masters can wait at a time
+    for (const BusUse& bus : report.buses) // the waits can exceed 100 %: several masters can wait at a time
         rows.buses.push_back(use_of("bus", bus.name, width, bus.busy, whole,
                                     waits("its masters waited " + percent(masters_waited(bus), whole))
                                         .as("masters_waited_ps", masters_waited(bus).count())));
@@ -155,9 +155,9 @@ std::string print_answer(const Answer& answer, Time whole) {
 }
 
 std::string remark_on_slower(bool any) {
-    return any ? "A run can be slower although a part is faster: messages then arrive in another order, and the users "
-                 "of a shared\nprocessor, link or bus take turns in another order (Graham's anomaly, Braess's "
-                 "paradox); or more processes share\nthe work.\n"
+    return any ? "A run can be slower although a part is faster or more processes share the work: messages then arrive "
+                 "in another\norder, and the users of a shared processor, link or bus take turns in another order "
+                 "(Graham's anomaly, Braess's\nparadox).\n"
                : "";
 }
 
@@ -200,7 +200,8 @@ std::string print_gain(const Answer& answer, Time whole) {
     return fmt::format("  {}: {} less time\n", name_of(answer.change), percent(whole - answer.time, whole));
 }
 
-/// Prints the greatest shares of the critical path by activity: "computing 97.6 %, communicating 2.4 %".
+/// Prints how the critical path is divided among activities: "computing 97.6 %, communicating 2.4 %". Leaves out
+/// activities with less than a thousandth of the run.
 std::string print_kinds_of_time(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out;

@@ -13,7 +13,7 @@ namespace placedpar {
 /// Explains why a run took as long as it did.
 struct Explanation {
     RunReport report;
-    std::map<std::string, Account> accounts; ///< key: process
+    std::map<std::string, Account> accounts; ///< key: name of the process
     /// Time that senders waited for receivers. The key is one direction of a link, "a.link[0] -> b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;

@@ -14,7 +14,7 @@ namespace placedpar::generate {
 
 namespace {
 
-/// A word of the language: a mark such as "{" or "--", or an ID, whose quotes are removed.
+/// A word of Graphviz's language DOT: a mark such as "{" or "--", or an ID, whose quotes are removed.
 struct DotWord {
     std::string text;
     bool is_mark = false;
@@ -166,7 +166,8 @@ public:
         }
         const DotWord kind = words_.take();
         if (!kind.is_keyword("graph") && !kind.is_keyword("digraph"))
-            words_.refuse("expected \"graph\" or \"digraph\"", "the file must be in the language of Graphviz");
+            words_.refuse("expected \"graph\" or \"digraph\"",
+                          "the file must be a graph in DOT, the language of Graphviz");
         builder_.graph().directed = kind.is_keyword("digraph");
         if (!words_.peek().is_mark)
             words_.take();

@@ -51,7 +51,7 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
                         has_problem(*kind) ? problem.each : "");
 }
 
-/// Throws UserError if the request names ports, but none of the kind of one process for each processor.
+/// Throws UserError if the request names ports. REQUIRES: its job chooses the ports itself, unlike --job KIND.
 void refuse_ports(const TopologyRequest& request) {
     const TopologyRequest usual;
     for (auto [option, said, unsaid] :
@@ -103,7 +103,7 @@ std::string host_of(const TopologyRequest& request, const Job& job, const Topolo
                                     : host_on_workstation(request, topology);
 }
 
-/// Returns the statements in an order that the language accepts: names before their use.
+/// Returns the statements in an order that the language accepts: names are declared before they are used.
 std::string body_of(const TopologyRequest& request, const Job& job, const Topology& topology) {
     std::string host = host_of(request, job, topology);
     return fmt::format("{}\n{}\n/* Hardware */\n"

@@ -34,7 +34,8 @@ struct Graph {
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
 inline constexpr std::size_t deepest_graph = 64;            ///< how deeply elements, brackets or subgraphs may be
                                                             ///< nested
-/// Copies of default attributes count, too. A long attribute counts once for each hundred bytes.
+/// The largest number of attributes, including copies of default attributes. A long attribute counts once for each
+/// hundred bytes.
 inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
 // These functions read a graph. They throw RefusedText, which shows the place of the error.
@@ -42,10 +43,10 @@ inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 /// Reads GraphML, as networkx and yEd write it. Data of nodes and edges become attributes. Nodes inside a group become
 /// nodes; the group itself does not.
 Graph read_graphml(const std::shared_ptr<const SourceFile>&);
-/// Reads the language of Graphviz. Ports, and attributes of whole graphs, are ignored.
+/// Reads a graph in DOT, the language of Graphviz. Ports, and attributes of whole graphs, are ignored.
 Graph read_dot(const std::shared_ptr<const SourceFile>&);
 
-/// Throws RefusedText.
+/// Throws RefusedText with this message and hint for a line of the file; line 0 stands for the whole file.
 [[noreturn]] void refuse_graph(const std::shared_ptr<const SourceFile>&, std::size_t line, const std::string& message,
                                const std::string& hint = "");
 

@@ -122,7 +122,8 @@ void split_nodes(Graph& graph) {
     }
 }
 
-/// Returns an attribute's value in the netlist language: a number, which may end in K or M.
+/// Returns an attribute's value as a number in the netlist language, which may end in K or M; nothing if the value is
+/// not such a number.
 std::optional<std::string> number_text(const std::string& text) {
     const bool has_suffix = text.ends_with('K') || text.ends_with('M');
     if (parse_number<std::uint64_t>(text.substr(0, text.size() - (has_suffix ? 1 : 0))))
@@ -166,7 +167,7 @@ public:
     }
 
 private:
-    /// All processors are elements of one array, so they have one type.
+    /// Finds the type of the processors. All processors have the same type, since they are elements of one array.
     void find_type() {
         std::set<std::string> types;
         for (const GraphNode& node : graph_.nodes) {
@@ -258,7 +259,7 @@ private:
             made_.attributes += fmt::format("connection wire[{}];\n{}", named, statements);
     }
 
-    /// Allocates the next free link and the next port of a node.
+    /// Allocates the next free link of a node. Its port has the same number.
     WireEnd end_at(std::size_t node) {
         const std::size_t link = links_[node]++;
         return {fmt::format("[{}]", node), std::to_string(link), std::to_string(link)};

@@ -10,7 +10,7 @@ namespace placedpar::generate {
 
 namespace {
 
-/// The workload of examples/thesis/workload.inc, under the first reading of Table E.1.
+/// The workload of examples/thesis/workload.inc, which assumes that Table E.1 was measured with a population of 120.
 constexpr const char* workload =
     R"(val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
 val cycles_per_individual 1750; /* the genetic operators, for one individual */
@@ -37,8 +37,9 @@ const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
 std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
 
-/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals: enough
-/// for all immigrants that can arrive together from four neighbours, and more individuals than slaves.
+/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals. `least`
+/// must be at least 4, for the immigrants that can arrive together from four neighbours, and greater than the island's
+/// number of slaves.
 std::string population_of(const char* islands, const char* least) {
     return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
                        "val exchange_every 3;           /* generations between exchanges */\n",

@@ -166,7 +166,8 @@ private:
             std::ranges::find_if(waits_for, [](std::size_t left) { return left > 0; }) - waits_for.begin());
         const TextRow& row = table_.rows[stuck];
         fault(row, row.cells[task_],
-              fmt::format("the task \"{}\" is in a circle of tasks, or depends on one", row.cells[task_].text),
+              fmt::format("the task \"{}\" is in a circle of tasks, or depends on a task in a circle",
+                          row.cells[task_].text),
               "remove a successor: a task graph cannot have circles");
     }
 

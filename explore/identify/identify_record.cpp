@@ -10,14 +10,14 @@ namespace placedpar {
 
 namespace {
 
-/// A setting that the way of identification does not have.
+/// A setting that has no effect with the chosen way of identification (--way).
 struct Lacking {
     const char* name;
     bool is_given;
-    const char* ways = "thesis"; ///< the ways that have it
+    const char* ways = "thesis"; ///< the ways in which the setting has an effect
 };
 
-/// Throws UserError for the first of these settings that is given.
+/// Throws UserError if the user gave one of these settings. The message names the first of them.
 void require_lacking(std::initializer_list<Lacking> settings, const char* why) {
     for (const Lacking& each : settings)
         if (each.is_given)
@@ -59,7 +59,7 @@ void settle_way(IdentifySettings& settings) {
                          {"--rising", settings.rising},
                          {"--coding", !settings.coding.empty(), "thesis or whole"},
                          {"--offset auto", settings.offset == "auto"}},
-                        "--way service uses all movements in order");
+                        "--way service identifies as placedpar monitor does, which has no such setting");
 }
 
 IdentifyEnd identify_record(const IdentifySettings& settings, const RecordInput& input, const IdentifyOutput& output) {

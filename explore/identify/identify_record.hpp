@@ -5,7 +5,7 @@
 namespace placedpar {
 
 /// Chooses the way of identification (IdentifySettings::way) if none was given. Throws UserError for numbers out of
-/// range and for settings that the way does not have.
+/// range, and for settings that have no effect with the way.
 void settle_way(IdentifySettings&);
 
 /// Evaluates a record in the way that the settings name. Throws RefusedInput, UserError or UnfitRecord. REQUIRES:

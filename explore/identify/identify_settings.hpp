@@ -15,7 +15,7 @@ struct IdentifySettings {
     std::vector<std::string> columns; ///< names of columns, such as "boom.inlet_pressure=P_boom_in"
     std::string columns_from;         ///< a file with such names, one on each line
     std::uint64_t seed = 1;
-    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
+    std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default value of the chosen way
     double bias = 400;
 
     static constexpr std::size_t least_bits = 6, most_bits = 52, most_window = 1024, a_million = 1'000'000;

@@ -17,14 +17,15 @@ using namespace identification;
 
 namespace {
 
-/// The monitor uses the same random numbers for a machine of this name.
+/// The name that selects the random numbers. The monitor uses the same random numbers for a machine with this name.
 constexpr const char* machine_name = "record";
 
 LinkSet wanted_links(const IdentifySettings& settings, const ChannelSet& there) {
     return settings.links.empty() ? links_to_diagnose(there) : links_of(settings.links);
 }
 
-/// Rounds a period to whole nanoseconds, since clock steps written as decimals are whole nanoseconds.
+/// Rounds a period to whole nanoseconds, because the period is a difference of times that were written as decimals,
+/// which has a small rounding error.
 double whole_nanoseconds(double period_s) { return std::round(period_s * 1e9) / 1e9; }
 
 LinkSet required_links(const IdentifySettings& settings, const Record& first) {

@@ -139,8 +139,9 @@ IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, Reco
         healthy[index_of(link)] = moving.healthy_in3_per_psi(link);
     const std::vector<SetAnswer> sets = moving.sets();
     if (sets.empty())
-        throw UnfitRecord(fmt::format("no link moves forward for long enough; a population set needs {} of 0.16 s",
-                                      counted(SetSearch::fewest_samples, "sample")));
+        throw UnfitRecord(
+            fmt::format("no link moves forward for long enough; a population set needs at least {}, each of 0.16 s",
+                        counted(SetSearch::fewest_samples, "sample")));
     const std::vector<LinkIdentified> links = combined_links(sets);
     output.print(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +
                  "\ncross-check 2: " + locate_faults(links, healthy));

@@ -50,7 +50,7 @@ std::optional<AreasFrom> source_of_spool(const Record& record, const Question& q
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
-    Sampling sampling; ///< sampling of the record as read
+    Sampling sampling; ///< how the readings were averaged to the record's samples
     IdentificationWay way;
     Question question;
     bool calibrates = false;                ///< the offset is calibrated from the record (`--offset auto`, the default)
@@ -64,7 +64,8 @@ std::string print_calibration(const std::optional<SpoolOffset>& found) {
                        found->offset_in, found->deviation_in, found->samples);
 }
 
-/// Calibrates the offset of the spool's position, which has this source, from the record's own steady motion.
+/// Calibrates the offset of the boom's spool from the samples of the record with steady motion. `from` is the source of
+/// the spool's position.
 void calibrate(Case& asked, AreasFrom from) {
     const Sensor sensor = from == AreasFrom::servo ? Sensor::servo : Sensor::spool;
     asked.calibrates =
@@ -134,7 +135,7 @@ boost::json::object cost_json(const SearchCost& cost) {
             {"t800_16_s", cost.seconds_on_16}};
 }
 
-/// The results that both ways report before the results of the search.
+/// The results of begin(): the work that both ways, "thesis" and "whole", do before their searches.
 struct Begun {
     Case asked;
     ComplianceSearch prepared;

@@ -50,8 +50,8 @@ enum class IdentifyEnd { sound, doubtful, interrupted };
 /// Evaluates all movements, as the monitor identifies and judges them. Without a configuration, calls identify_moving()
 /// if configurations can be recognised from the record, and otherwise assumes configuration a.
 IdentifyEnd identify_as_service(const IdentifySettings&, const RecordInput&, const IdentifyOutput&);
-/// Recognises the configuration of each sample, and searches with a population for each set of Figure 3.13. `first` is
-/// the piece of the stream that has been read already.
+/// Recognises the configuration of each sample, and searches with a population for each set of links in Figure 3.13.
+/// `first` is the piece of the stream that has been read already.
 IdentifyEnd identify_moving(const IdentifySettings&, hydraulics::Record first, RecordStream&, const IdentifyOutput&);
 /// Runs one search for several links over the whole movement (identification/whole_search.hpp), and prints the least
 /// standard error that the record's noise allows, and the cost on T800s.

@@ -55,7 +55,8 @@ std::optional<SearchCourse> MachineSearch::genetic() {
     return course;
 }
 
-/// Draws the population only from machines for which the condition holds, since these may be very few.
+/// Draws the population only from machines that satisfy the study's condition. A population drawn from all machines
+/// might contain none of them.
 std::vector<Genome> MachineSearch::first_population() {
     RandomStream random(wanted_.seed, "optimise/first");
     std::vector<Genome> population;

@@ -17,12 +17,13 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t most_machines = 5;  ///< machines shown if there is one cost
-constexpr std::size_t most_reasons = 5;   ///< reasons shown why machines are infeasible
+constexpr std::size_t most_reasons = 5;   ///< number of shown reasons why machines are infeasible
 constexpr std::size_t most_path_rows = 8; ///< rows shown for the parts of the paths
 
 using Costs = std::vector<double>;
 
-/// Returns the indices of the machines in the course, the best first.
+/// Returns the indices of the course's feasible machines, the best first; if there are several costs, only the machines
+/// on the front.
 std::vector<std::size_t> in_order_of_costs(const SearchCourse& course) {
     std::vector<std::size_t> front = course.front();
     if (!front.empty() && course.merits[front.front()].costs.size() > 1)

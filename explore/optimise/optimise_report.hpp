@@ -35,8 +35,8 @@ std::vector<std::string> shown_measures(const Study&);
 StudySummary summary_of_best(StudyResults&, const Study&, const MachineSpace&, const SearchCourse&);
 
 /// Prints a row for each method. With one cost, the rows have the best cost and the number of machines tried until it
-/// was found, below the unchanged netlist's cost. With two costs, the rows have the number of points on the method's
-/// front, and how many of these are on the joint front of all methods.
+/// was found; a row above has the cost of the unchanged netlist. With two costs, the rows have the number of points on
+/// the method's front, and how many of these are on the joint front of all methods.
 std::string print_comparison(const Optimum&);
 
 /// Prints how long each activity takes on the critical paths of two runs, the greatest difference first.

@@ -94,7 +94,7 @@ void MachineTrials::add_figures(Trial& trial, const StudyFigures& figures) {
             trial.merit.costs[i] += figure->value / static_cast<double>(study_.seeds);
             found_[i] = true;
         } else {
-            trial.why = fmt::format("a run has no {}", costs_[i].text());
+            trial.why = fmt::format("a run did not measure {}", costs_[i].text());
         }
 }
 

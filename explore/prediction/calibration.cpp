@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t individuals = 20; // in each search that is measured
 
-/// The kinds of one thread, with problems of their own.
+/// The process kinds that one thread uses, with the problems that the kinds refer to. No two threads share them.
 struct KindsToMeasure {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);
@@ -111,7 +111,7 @@ public:
     }
 
 private:
-    static constexpr long often = 20'000, seldom = 100; // messages
+    static constexpr long often = 20'000, seldom = 100; // numbers of messages
 
     template <class Measure>
     MeasuredCost repeat(const std::string& what, Measure measure) {
@@ -122,7 +122,8 @@ private:
         return settings_.is_interrupted() ? MeasuredCost{} : cost_of(std::move(values));
     }
 
-    /// `switches` measures a number of switches, and `matches` a ping-pong match, in nanoseconds.
+    /// `switches(n)` measures a switch n times, and `matches` measures a message there and back; both return the time
+    /// in nanoseconds.
     template <class Switches, class Matches>
     MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;
@@ -139,7 +140,7 @@ private:
     }
 
     void measure_threads(Calibration& result) {
-        static constexpr Time pause = std::chrono::microseconds(200); // far longer than the patience of a thread
+        static constexpr Time pause = std::chrono::microseconds(200); // far longer than a thread polls before it sleeps
         result.threads = measure_messages("threads", native::nanoseconds_of_switch, native::nanoseconds_there_and_back);
         result.across_asleep = repeat("messages to threads that sleep", [] {
             return native::nanoseconds_there_and_back({.times = seldom, .pause = pause});
@@ -193,7 +194,7 @@ private:
     KindsToMeasure kinds_;
 };
 
-/// Returns the system's name of the processor.
+/// Returns the processor's name as the operating system states it.
 std::string name_of_processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)

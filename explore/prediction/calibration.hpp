@@ -15,7 +15,8 @@ class Ranks; // ranks/ranks.hpp
 struct MeasuredCost {
     double median = 0, low = 0, high = 0;
 };
-/// REQUIRES: at least 6 values; with fewer, no interval has this probability.
+/// Returns the median of the values and its interval. REQUIRES: at least 6 values; with fewer values, no interval has
+/// the probability of 95 %.
 MeasuredCost cost_of(std::vector<double> nanoseconds);
 
 /// The cost of a search on one thread.

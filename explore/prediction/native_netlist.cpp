@@ -57,7 +57,7 @@ public:
         return can_use(kind == PredictedPlaces::Kind::ranks ? "this_rank probe; this_network other_probe;"
                                                             : "this_core probe; this_memory other_probe;");
     }
-    /// Throws UserError unless the calibration describes such places.
+    /// Throws UserError unless the calibration describes places of this kind.
     void require(PredictedPlaces::Kind kind) const {
         if (!describes(kind) && kind == PredictedPlaces::Kind::ranks)
             throw UserError(
@@ -128,9 +128,9 @@ Node node_of(const Catalogue& devices, std::string_view model, std::string type,
     return node;
 }
 
-/// The words for threads or for ranks.
+/// The words that name threads, or the words that name ranks.
 struct PlaceWords {
-    native::Places places; ///< for messages
+    native::Places places; ///< the words in messages
     const char *node, *core, *memory;
 };
 
@@ -140,7 +140,7 @@ PlaceWords words_for(const PredictedPlaces& places) {
     return {{places.count, "thread", "--threads"}, "thread", "this_core", "this_memory"};
 }
 
-/// Returns the network with its processes on cores, and without the costs in its parameters.
+/// Returns the network with its processes on simulated cores instead of its own machine.
 Network on_cores(const Network& network, const PredictedPlaces& predicted) {
     const Catalogue devices;
     Network result;

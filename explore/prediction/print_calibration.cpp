@@ -22,8 +22,9 @@ std::string interval(const MeasuredCost& cost) {
 
 double nanoseconds(Time time) { return std::chrono::duration<double, std::nano>(time).count(); }
 
-/// Returns the time until a sleeping thread has woken. If this time exceeds the patience of a thread, the sender of a
-/// message falls asleep before the answer comes; a message there and back then takes this time twice.
+/// Returns the time until a sleeping thread has woken. If this time exceeds a thread's patience (the time for which it
+/// polls before it sleeps), the sender of a message falls asleep before the answer comes. A message there and back then
+/// takes this time twice.
 double waking_ns(const Calibration& c) {
     const double both = std::max(c.across_asleep.median - c.threads.across.median, 0.0);
     return both > nanoseconds(native::most_patience) ? both / 2 : both;
@@ -36,9 +37,9 @@ std::int64_t string_bytes(const Calibration& c) {
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);
 }
 
-/// Returns the definition of `name`: a core, or a rank of mpirun. `sleep` is its parameter for sleep. A message there
-/// and back within one core takes four inputs or outputs and two switches. Between two cores it takes two switches, and
-/// two inputs or outputs that follow each other.
+/// Returns the definition of `name`: a core, or a rank of mpirun. `sleep` is the parameter with the cost of its sleep,
+/// such as "waking = 5". A message there and back within one core takes four inputs or outputs and two switches.
+/// Between two cores it takes two switches, and two inputs or outputs that follow each other.
 std::string print_core(const MessageCosts& c, Time patience, const std::string& sleep, const char* name) {
     const double within = (c.there_and_back.median - 2 * c.switching.median) / 4;
     const double across = c.across.median / 2 - c.switching.median;

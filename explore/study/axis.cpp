@@ -56,7 +56,7 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Adds a part. If an equal value is already there, only the better of the two spellings is kept.
+/// Adds a part. If an equal value is already there, keeps only one of the two spellings, which better_spelt() chooses.
 void add_part(std::vector<StudyValues>& parts, const std::string& name, const std::string& text) {
     StudyValues part(name, text);
     SettingValue value(name, text);
@@ -122,7 +122,7 @@ std::optional<SettingValue> StudyValues::find(const SettingValue& value) const {
     double steps = number ? steps_to(*number) : 0;
     if (is_range_ && (!number || std::isnan(steps))) // NaN if the range multiplies and the number is not above 0
         return std::nullopt;
-    double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
+    double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() has rounded
     SettingValue found = is_range_ ? SettingValue(name_, at(static_cast<std::uint64_t>(nearest))) : only_;
     return found == value ? std::optional(found) : std::nullopt;
 }

@@ -21,7 +21,8 @@ ExpressionPointer parsed_expression(const std::shared_ptr<const SourceFile>& sou
     return reporter.failed() ? nullptr : std::move(expression);
 }
 
-/// Returns the settings with the setting "master.trials" also as "trials", unless another setting has that name.
+/// Returns the settings, each also under the last part of its name, such as "trials" for "master.trials". If another
+/// setting already has the short name, only that setting keeps it.
 Overrides named_plainly(const Overrides& set) {
     Overrides named = set;
     for (const auto& [name, text] : set)

@@ -67,8 +67,8 @@ std::string description_of(const std::string& name, const std::set<std::string>&
     return "";
 }
 
-/// Returns the kind's description of a measure that the run did not reach; "" if a process of this name has measured
-/// it, or if no kind describes it.
+/// Returns the kind's description of a measure that the process of this name did not take, although it took others; ""
+/// if the process did take the measure, or if no kind describes it.
 std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
     std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
     name = name.substr(process.size());

@@ -62,8 +62,8 @@ private:
 };
 
 /// Returns a sentence about a measure that a run does not have. If the kind of the process has this measurement, the
-/// sentence describes the measurement, which the run did not reach. Otherwise the sentence suggests a similar name, or
-/// lists all measures of the run.
+/// sentence describes the measurement, which the process did not make in this run. Otherwise the sentence suggests a
+/// similar name, or lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
 /// The measures that runs of these networks may have, as far as the netlists show it. Measures that only some runs have

@@ -62,7 +62,8 @@ std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) 
     return groups.size() == 2 ? mann_whitney(groups[0], groups[1]) : kruskal_wallis(groups);
 }
 
-/// Returns the test of the combinations with several figures of a measure.
+/// Returns the table row with the test of a measure; nothing if there is no test. The test compares the combinations
+/// that have several figures of the measure.
 std::optional<Row> tested(const StudySummary& summary, std::size_t axis, const Compared& compared,
                           std::size_t measure) {
     std::vector<std::vector<double>> groups;

@@ -35,13 +35,14 @@ private:
         std::size_t operator()(const Genome&) const;
     };
 
-    /// Returns the problem in this coding, always the same object, which remembers its own genomes.
+    /// Returns the problem in this coding. All calls with the same coding return the same object, which remembers its
+    /// own genomes.
     std::shared_ptr<const SearchProblem> coded_plainly(Coding) const override;
     std::size_t bytes_of_one() const;
     void forget() const;
 
     Room room_;
-    mutable std::unordered_map<Genome, double, Hash> known_; ///< never iterated over
+    mutable std::unordered_map<Genome, double, Hash> known_; ///< never iterated over, since the order is not defined
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
 };
 

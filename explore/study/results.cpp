@@ -64,13 +64,14 @@ std::string text_of_file(const std::string& path) {
     return loaded.file->text();
 }
 
-/// Refuses a folder, and any other path that is not a file. SQLite would say only that it cannot open the file.
+/// Throws UserError if the path is a folder, or anything else but a file. SQLite would say only that it cannot open the
+/// file.
 void require_no_folder(const std::filesystem::path& path) {
     std::error_code ignored;
     if (is_standard_stream(path) ||
         (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)))
-        throw UserError(
-            fmt::format("{}: this is a folder; name a file for the results, which need not exist yet", path.string()));
+        throw UserError(fmt::format("{}: this is not a file; name a file for the results, which need not exist yet",
+                                    path.string()));
 }
 
 void make_file(const std::filesystem::path& path) {
@@ -98,7 +99,7 @@ std::int64_t checksum_of_run(const Columns&... columns) {
     return checksum_of("run", fmt::format("{}", columns)...);
 }
 
-/// Returns the checksum of a run with the row's contents.
+/// Computes the checksum of the run in this row from the row's other columns.
 std::int64_t checksum_in(const store::Statement& row) {
     auto of = [&]<int... column>(std::integer_sequence<int, column...>) {
         return checksum_of_run(row.text(column)...);

@@ -65,7 +65,7 @@ private:
         read_table(top, handlers);
         if (top.contains("table"))
             require_simple(top);
-        study_.figures = study_.measures; // --measure does not change these
+        study_.figures = study_.measures; // --measure does not change the figures
         if (study_.figures.empty())
             study_.figures = {"time"};
         if (study_.netlist.empty())
@@ -124,7 +124,7 @@ private:
     /// A table that has been read, and the data that a later table can take over by "like".
     struct TableRead {
         StudyTable table;
-        Members of_rows; ///< members that hold for all its rows
+        Members of_rows; ///< members that hold for all rows of the table
         const toml::node *columns = nullptr, *rows = nullptr;
     };
 
@@ -140,7 +140,7 @@ private:
             read_columns(*read.columns, read.table);
         if (!read.columns || !read.rows)
             return report(source.source().begin, "the table lacks columns or rows", form_of_variants);
-        if (read.table.columns.empty()) // reported already; without columns the rows cannot be checked
+        if (read.table.columns.empty()) // the error was reported; without columns the rows cannot be checked
             return;
         read_rows(read);
         add_runs_of(read.table);
@@ -443,7 +443,7 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // not a process
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // no process has this name
                 report_misplaced("relative_to", *value);
             else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);

@@ -56,7 +56,8 @@ std::size_t axis_to_draw_over(const StudySummary& summary, const std::string& na
     return *best;
 }
 
-/// Returns the name of the curve of this line: the line's values of the other axes that differ between lines.
+/// Returns the name of the curve that contains this combination: its values on the other axes, except axes with a
+/// single value.
 std::string curve_of(const StudySummary& summary, const StudyLine& line, std::size_t over) {
     std::string name;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)

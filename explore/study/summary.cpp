@@ -112,7 +112,7 @@ std::map<std::string, std::set<std::string>> values_by_name(const std::map<Overr
     return values;
 }
 
-/// Returns an order of the values: numbers by size, then texts.
+/// Returns keys for sorting lines by these values: numbers by size, then texts.
 std::vector<std::pair<double, std::string>> order_of(const std::vector<std::string>& values) {
     std::vector<std::pair<double, std::string>> order;
     for (const std::string& value : values)

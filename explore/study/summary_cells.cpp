@@ -56,7 +56,7 @@ std::vector<std::string> said_of_all(const StudySummary& summary) {
         said.push_back("relative to " + shown_settings(summary.relative_to));
     if (summary.unrelated > 0)
         said.push_back(fmt::format(
-            "{} without relative figures, because no matching run with these settings ended in the same way",
+            "no relative figures for {}: no run with the settings above and the same seed ended in the same way",
             counted(summary.unrelated, "run")));
     return said;
 }

@@ -48,7 +48,7 @@ private:
     std::set<std::string> said_;
 };
 
-/// Reads netlists of a study, with the same kinds.
+/// Reads the netlist with combinations of a study's settings.
 class NetworkReader {
 public:
     explicit NetworkReader(const Study& study)
@@ -228,7 +228,7 @@ Network readable_network(const Study& study) {
         if (auto network = reader.at(*combination, refusals))
             return *network;
     }
-    const bool none_held = refusals.count() == 0; // the condition may hold for combinations in between
+    const bool none_held = refusals.count() == 0; // combinations not read so far may satisfy the condition
     for (std::uint64_t i = 0; none_held && i < std::min(count, most_counted) && refusals.leave_hope(); ++i)
         if (auto network = reader.at(i, refusals))
             return *network;
@@ -372,7 +372,7 @@ void StudySweep::run(std::size_t workers, Interruption& interruption,
                      const std::function<void(std::uint64_t ended)>& show,
                      const std::function<bool(bool stopped)>& others) {
     trier_.reset();
-    std::vector<Interruption> each(workers); // each for one run at a time
+    std::vector<Interruption> each(workers); // one for each worker, used by one run at a time
     auto stop = [&] {
         stop_ = true;
         std::ranges::for_each(each, &Interruption::request);

@@ -110,7 +110,7 @@ private:
     std::atomic<bool> stop_ = false;
     std::optional<StudyWorker> trier_; ///< makes single runs before the sweep, to measure how long they take
     std::optional<StudyRun> tried_;    ///< last run of trier_
-    std::optional<double> seconds_;    ///< wall-clock duration of that run, in seconds
+    std::optional<double> seconds_;    ///< wall-clock duration of tried_, in seconds
 };
 
 } // namespace placedpar

@@ -34,8 +34,8 @@ struct StudyRow {
     bool interval = false; ///< whether two rows below give the 95 % intervals of the figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and is
-                                     ///< otherwise the same
+    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and,
+                                     ///< otherwise, the same settings
 };
 
 /// A table of a study's figures beside known figures, with a cell for each row and column.

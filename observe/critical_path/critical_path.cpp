@@ -113,8 +113,8 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
-/// Accounts for a process of a booted program. A message of such a process takes no time once both processes are at the
-/// channel.
+/// Updates the account of a booted program's process. A message of such a process takes no time once both processes are
+/// at the channel.
 void CriticalPath::program_turns(const ProgramTurn& turn, Time now) {
     ProgramLane& lane = programs_[turn.process];
     if (is_waiting(lane.does) && turn.activity == Activity::ready)
@@ -166,7 +166,7 @@ void CriticalPath::wait(Lane& lane, Activity activity, Time now) {
             came_[{channel, activity == Activity::outputting}] = lane.last;
 }
 
-/// Notes the arrival of the later of the two processes at the channel.
+/// Notes the event with which both processes are at the channel: the later of their last events.
 void CriticalPath::communicated(const AnyChannel& channel, Time) {
     Lane *from = lane_of(channel.outputter()), *to = lane_of(channel.inputter());
     if (!from || !to)
@@ -212,7 +212,7 @@ CriticalPath::Number CriticalPath::cause_of(const Lane& lane, Time now) {
     return add(lane.last, now, Activity::delayed, process);
 }
 
-/// Adds a wait that has ended to the process's account, with the partner and the time since both processes were at the
+/// Adds a finished wait to the process's account, with the partner and the time since both processes were at the
 /// channel.
 void CriticalPath::explain_wait(const Lane& lane, Time now) {
     const Process& process = *lane.process;
@@ -226,7 +226,7 @@ void CriticalPath::explain_wait(const Lane& lane, Time now) {
         partner = user.outermost ? user.outermost->name() : device.empty() ? channel->name() : device;
         if (const Point& cause = points_[*lane.cause]; lane.together)
             together = points_[*lane.together].at;
-        else if (!device.empty()) // its bytes flow as soon as both processes are at the channel
+        else if (!device.empty()) // a device's bytes flow as soon as both processes are at the channel
             together = std::max(points_[lane.last].at, carried_since_[channel]);
         else if (cause.activity == Activity::carrying && cause.at == now)
             together = points_[cause.before].at;
@@ -250,7 +250,7 @@ void CriticalPath::become_ready(Lane& lane, Time now) {
 void CriticalPath::go_on(Lane& lane, Time now) {
     if (is_waiting(lane.does))
         become_ready(lane, now);
-    if (is_waiting(lane.does)) // the process waited for its PAR
+    if (is_waiting(lane.does)) // the process waited for the end of its PAR
         turn(lane, Activity::ready, now);
     has_turn(lane, now);
 }

@@ -85,9 +85,9 @@ private:
     std::unordered_map<const Executive*, Number> held_;      ///< last event on each executive
     std::unordered_map<std::string, Number> bus_held_;       ///< last use of each bus
     std::map<std::pair<const AnyChannel*, bool>, Number>
-        came_; ///< last arrival at each channel end; true for the outputting end
+        came_; ///< last arrival at each end of each channel; `true` is the outputting end
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
-    std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when its bytes last began to flow
+    std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when the channel's bytes last began to flow
     std::map<std::string, Time> waits_at_links_;
     /// The activity of a process of a booted program.
     struct ProgramLane {

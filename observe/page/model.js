@@ -6,7 +6,8 @@ const run = data.timeline, report = data.report;
 const levelDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 const runningWork = new Set(["executes", "carries", "computes"]);
 
-// Returns, for each bin, the track's time before the bin, in bins. The time between two moments is then a difference.
+// Returns, for each bin, how long the track was in the state (running or ready) before this bin, in bins. The time in
+// the state between two moments is then the difference of two sums.
 function sumsOf(levels) {
   const sums = new Float64Array(levels.length + 1);
   for (let i = 0; i < levels.length; ++i) sums[i + 1] = sums[i] + levelDigits.indexOf(levels[i]) / 63;
@@ -91,7 +92,7 @@ function stateOfTrack(track, moment) {
   return isKnownAt(moment) ? "gone" : "unknown";
 }
 
-// A process is running while one of its components is; otherwise it is ready while one of them is ready, and so on.
+// Returns the first of these states that the process or one of its components has: running, ready, stuck, waiting.
 function stateOfProcess(track, moment) {
   const states = (componentsOf[track.number] || [track]).map(each => stateOfTrack(each, moment));
   return ["running", "ready", "stuck", "waiting", "unknown"].find(state => states.includes(state)) || "gone";
@@ -108,7 +109,7 @@ function awaitedIn(slice) {
 }
 
 // Returns the waits of a process and its components at a moment: [{slice, channel, partner}]. A router's sender waits
-// on no channel and gives [{slice}].
+// on no channel; its result is [{slice}].
 function waitsOf(track, moment) {
   const waits = [];
   for (const each of componentsOf[track.number] || [track]) {

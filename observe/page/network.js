@@ -3,7 +3,7 @@
 const pictures = ["machine", "software"].map(view => ({ view, svg: d3.select("#" + view + " > svg") })).filter(each => !each.svg.empty());
 const loadColour = d3.interpolateRgb("#ffffff", "#8db7dd"), heatColour = d3.interpolateRgb("#f4f6f8", "#0b3a66"), wireColour = d3.interpolateRgb("#8da2b5", "#1f4e79");
 const largePicture = 200, legible = 0.45; // a picture with this many nodes is a map of loads, with texts only above this scale
-const drawnProcess = name => name.replace(/ !$/, ""); // high priority is marked
+const drawnProcess = name => name.replace(/ !$/, ""); // " !" marks high priority
 
 // Puts everything that is drawn into one group, so that zooming moves all of it.
 function wrapPicture(picture) {

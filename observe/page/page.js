@@ -117,10 +117,10 @@ const numbersSaid = ["at", "from", "to"];
 function sayWhatIsUnknown(said) {
   const faults = [];
   if (views.includes(said.get("view")) && !pictures.some(each => each.view === said.get("view"))) faults.push(`This page has no drawing for the view "${said.get("view")}".`);
-  if (said.has("view") && !views.includes(said.get("view"))) faults.push(`There is no view "${said.get("view")}": say view=machine or view=software.`);
+  if (said.has("view") && !views.includes(said.get("view"))) faults.push(`There is no view "${said.get("view")}": write view=machine or view=software.`);
   if (said.has("process") && !trackNamed.has(outermostName(said.get("process")))) faults.push(`No process of this page is called "${said.get("process")}".`);
-  for (const name of numbersSaid) if (said.has(name) && !(said.get(name) !== "" && Number(said.get(name)) >= 0 && Number(said.get(name)) <= 1)) faults.push(`"${said.get(name)}" is not a part of the run: say ${name}=NUMBER from 0 to 1.`);
-  for (const name of said.keys()) if (![...numbersSaid, "view", "process"].includes(name)) faults.push(`The address says "${name}": a page knows view, process, at, from and to.`);
+  for (const name of numbersSaid) if (said.has(name) && !(said.get(name) !== "" && Number(said.get(name)) >= 0 && Number(said.get(name)) <= 1)) faults.push(`"${said.get(name)}" is not a part of the run: write ${name}=NUMBER with a number from 0 to 1.`);
+  for (const name of said.keys()) if (![...numbersSaid, "view", "process"].includes(name)) faults.push(`The address contains "${name}", which the page does not know: it knows view, process, at, from and to.`);
   d3.select("#address").attr("hidden", faults.length ? null : "").text(faults.join(" "));
 }
 

@@ -81,7 +81,7 @@ function extentText() {
   const count = number => d3.format(",")(number), bins = `summarised, in bins of ${timeText(run.bin, run.bin)}`;
   if (!canUnpack) return ` This browser cannot unpack its slices and messages (it has no DecompressionStream): all are ${bins}.`;
   const all = run.deflated ? ` Zoom in to see its ${count(d3.sum(stretches, each => each.entries))} slices and messages one by one.` : "";
-  return all + (run.lost ? ` ${count(run.left_out)} more, of the middle, are ${bins}.` : "");
+  return all + (run.lost ? ` ${count(run.left_out)} more, in the middle of the run, are ${bins}.` : "");
 }
 
 // Returns the warning that the timelines show only a part of the run, while tables and curves show the whole run.
@@ -95,7 +95,7 @@ function partText() {
 // Returns the text that says how well the clocks of ranks are known.
 function clocksText() {
   const clocks = report.clocks || [];
-  return clocks.length ? ` Times are of the clock of rank 0; the clocks of the other ranks are known to ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
+  return clocks.length ? ` Times are by the clock of rank 0; the clocks of the other ranks were compared with it, with an error of at most ${timeText(d3.max(clocks, each => each.error_ps), 1e3)}.` : "";
 }
 
 function showOutcome() {
@@ -106,8 +106,8 @@ function showOutcome() {
   const part = partText();
   if (part) d3.select("#part").attr("hidden", null).html(part);
   if (!report.deadlock) return;
-  const cycle = report.deadlock.cycle, around = cycle.length ? [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "no cycle: a partner has ended, or there never was one";
-  d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> Each waits for the next: ${around}`)
+  const cycle = report.deadlock.cycle, why = cycle.length ? "Each waits for the next: " + [...cycle, cycle[0]].map(processLink).join(" &rarr; ") : "No processes wait for each other in a cycle: a partner has ended, or there never was a partner.";
+  d3.select("#deadlock").attr("hidden", null).html(`<b>Deadlock.</b> ${why}`)
     .selectAll("a.to").on("click", function () { choose(this.dataset.process); });
 }
 

@@ -43,7 +43,7 @@ void Stretch::add(const MessageArrow& arrow) {
                        texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
-/// Clears the vectors instead of making new vectors, so that they keep their memory.
+/// The vectors are cleared, not replaced, so that their memory is used again.
 PackedStretch Stretch::pack() {
     std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());

@@ -9,8 +9,8 @@ namespace placedpar::page {
 
 namespace {
 
-/// Returns the size of a full stretch. At its end each track may have one unfinished slice, which goes into another
-/// row. A stretch has many entries for each track, so these slices are few.
+/// Returns the number of entries of a full stretch. At the end of a stretch each track may have one unfinished slice,
+/// which goes into another row. A stretch has so many entries for each track that these slices are few in comparison.
 std::size_t entries_for(std::size_t tracks, std::size_t at_least) {
     return std::max({at_least, std::min<std::size_t>(64 * tracks, 400'000), 4 * tracks});
 }

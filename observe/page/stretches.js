@@ -11,7 +11,7 @@ const canUnpack = !run.deflated || "DecompressionStream" in window;
 const looked = { at: [], known: new Set(), count: 0, unpacks: false };
 let messages = [];
 
-// Reads numbers of seven bits in each byte, the lowest bits first.
+// Reads numbers that are stored with seven bits in each byte, the lowest bits first.
 function readerOf(bytes) {
   let at = 0;
   const next = () => {
@@ -102,7 +102,8 @@ function gather() {
   messages = d3.merge(contents.map(each => each.messages)).sort((a, b) => a.left - b.left);
 }
 
-// Unpacks the stretches that the page needs, which may change meanwhile, and then calls `then`.
+// Unpacks the stretches that the page needs, and then calls `then`. Meanwhile the page may come to need other
+// stretches.
 async function unpack(then) {
   looked.unpacks = true;
   for (let next; (next = looked.at.find(each => !each.content));) {

@@ -257,7 +257,8 @@ function drawTimelines(moment, chosen) {
   pen.fillRect(0, 0, view.label - 4, headHeight);
 }
 
-// Returns the track and the moment at a point of the canvas. In the head the track is null, in the labels the moment.
+// Returns the track and the moment at a point of the canvas. In the head of the canvas the track is null; in the labels
+// the moment is null.
 function placeAt([x, y]) {
   const row = view.rows[Math.floor((y - headHeight + scroller.scrollTop) / rowHeight)];
   return { track: row && row.track && y > headHeight ? row.track : null, moment: x >= view.label ? view.scale.invert(x) : null };

@@ -67,7 +67,7 @@ void Timeline::turns(const Process& process, Activity activity, Time now) {
         tell(process, activity, now);
 }
 
-/// Ends the present slice of a process that is known by its name, and begins the next.
+/// Ends the present slice of a booted program's process, which is known by its name, and begins the next slice.
 void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     if (!taking(now))
         return;
@@ -107,7 +107,7 @@ void Timeline::use_links(const ProgramLane& lane) {
             program_uses_.insert_or_assign(each.channel, ProgramUse{lane.track, lane.since});
 }
 
-/// Ends a wait for links, at which messages from processes arrive.
+/// Ends a wait for links. Messages that processes sent over these links arrive now.
 void Timeline::leave_links(const ProgramLane& lane, Time now) {
     for (const Awaited& each : lane.awaited)
         if (const auto use = program_uses_.find(each.channel); use != program_uses_.end()) {
@@ -117,7 +117,7 @@ void Timeline::leave_links(const ProgramLane& lane, Time now) {
         }
 }
 
-/// Writes the present slice, and places its message ends at its beginning.
+/// Writes the present slice, and places the ends of messages that belong to it at its beginning.
 void Timeline::close(ProgramLane& lane, Time end, bool open) {
     if (lane.activity == Activity::ended || (end <= window_.from && !open) ||
         !write({lane.track, lane.activity, lane.since, end, open, {}, 0, lane.awaited, lane.awaits_timer}))
@@ -126,7 +126,7 @@ void Timeline::close(ProgramLane& lane, Time end, bool open) {
         place(message, lane.track, std::max(lane.since, window_.from));
 }
 
-/// Notes one part of a message; communicated() notes both parts.
+/// Notes that a process has output or input a message; communicated() notes both at once.
 void Timeline::program_communicates(const MessagePart& part, Time now) {
     const auto found = programs_.find(part.process);
     if (!taking(now) || now < window_.from || found == programs_.end())
@@ -283,7 +283,8 @@ void Timeline::close(Lane& lane, Time end) {
         close(lane, slice_of(lane, end, false));
 }
 
-/// Writes the slice, and places its message ends at its beginning. Returns whether the slice is visible.
+/// Writes the slice, and places the ends of messages that belong to it at its beginning. Returns whether the slice is
+/// visible.
 bool Timeline::close(Lane& lane, Slice slice) {
     Time end = slice.end;
     if (!write(std::move(slice)))

@@ -103,7 +103,7 @@ private:
         Time at;
         std::size_t from = Tracks::none, to = Tracks::none;
         Time left{}, arrived{};
-        bool by_two_clocks = false; ///< measured by two clocks, so it may seem to arrive before it leaves
+        bool by_two_clocks = false; ///< two clocks timed the message, which may seem to arrive too early
     };
 
     bool taking(Time now);

@@ -38,7 +38,7 @@ struct Body {
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;
     ~Body() {
-        run.reset(); // the generator may use the ends and measure() until it is closed
+        run.reset(); // the generator may use the channel ends and measure() until it is closed
         python.call([&] {
             instance = {};
             for (const auto& end : ends)

@@ -6,8 +6,8 @@
 
 namespace placedpar::python {
 
-/// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds the lock. Throws UserError if
-/// the class does not describe a kind.
+/// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds Python's global lock. Throws
+/// UserError if the class does not describe a kind.
 ProcessKind kind_of(pybind11::handle process_class);
 
 } // namespace placedpar::python

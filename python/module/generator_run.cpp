@@ -63,7 +63,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
     }
     where_ = enclosing;
     if (!py::isinstance<Operation>(component))
-        throw py::type_error("a component of pp.par is a generator or an operation");
+        throw py::type_error("a component of pp.par must be a generator or an operation");
     operation_ = std::move(component);
     now_ = operation_.cast<Operation*>();
     prepare();
@@ -113,7 +113,7 @@ void GeneratorRun::fail(const py::object& error) {
     }
 }
 
-/// Takes what the generator yielded or returned. Returns whether it has ended.
+/// Stores what the generator yielded or returned. Returns whether the generator has ended.
 bool GeneratorRun::take(PySendResult sent, PyObject* yielded) {
     now_ = nullptr;
     if (sent == PYGEN_ERROR)
@@ -128,7 +128,7 @@ bool GeneratorRun::take(PySendResult sent, PyObject* yielded) {
     return false;
 }
 
-/// Copies the operation's arguments from Python, while the lock is held.
+/// Copies the operation's arguments from Python, while this thread holds Python's global lock.
 void GeneratorRun::prepare() {
     if (!now_)
         throw py::type_error(py::str("a body yields operations, such as self.inp.input() or pp.compute(100), not {!r}")
@@ -165,7 +165,7 @@ void GeneratorRun::prepare_guards() {
 /// Returns the guard of an operation other than an input.
 Guard GeneratorRun::guard_of(py::handle guard) const {
     if (!py::isinstance<Operation>(guard))
-        throw py::type_error("a guard of pp.alt is an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");
+        throw py::type_error("a guard of pp.alt must be an input end, pp.wait, pp.until, pp.after, pp.skip or pp.when");
     const auto& operation = *guard.cast<Operation*>();
     switch (operation.kind) {
     case Kind::wait: return {Guard::timeout, nullptr, later(now(), Time{operation.number})};
@@ -184,7 +184,7 @@ void GeneratorRun::begin_components() {
         components_.emplace_back().start(py::reinterpret_borrow<py::object>(each), where_);
 }
 
-/// Performs the operation without the lock. An error of the library is later thrown into the generator.
+/// Performs the operation without Python's global lock. An error of the library is later thrown into the generator.
 void GeneratorRun::carry_out() {
     try {
         switch (now_->kind) {

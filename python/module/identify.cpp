@@ -44,7 +44,7 @@ public:
             keep_warnings(reader_.finish(), warnings_);
             return std::nullopt;
         }
-        // The command line reads files in pieces of the same size, so both give the same interpolated readings.
+        // The command line reads files in pieces of the same size, so it interpolates the same readings.
         constexpr std::size_t piece_bytes = 1 << 20;
         const std::size_t most = ++pieces_ * piece_bytes;
         const std::size_t end = most < text_.size() ? text_.rfind('\n', most - 1) + 1 : text_.size();

@@ -40,7 +40,8 @@ private:
     std::shared_ptr<PyObject> object_;
 };
 
-/// The virtual time of a run at its last completed generation. Other threads may read it.
+/// The virtual time of a run at its latest generation, or at the latest step of a process in Python. Other threads may
+/// read the time.
 struct RunClock {
     std::atomic<std::int64_t> picoseconds{0};
 };

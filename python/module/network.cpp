@@ -39,7 +39,8 @@ py::dict as_dict(const Diagnostic& diagnostic) {
 
 py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
 
-/// Warns in Python. The warning shows the line of the user's program that read an attribute of the package.
+/// Warns in Python. The warning shows the line of the user's program that read an attribute of a run, such as its
+/// timeline.
 void warn(const std::string& text) {
     py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
 }
@@ -160,8 +161,8 @@ private:
     RunClock* clock_; ///< null if no thread reads the time
 };
 
-/// Replaces the places at which processes in Python wait. The report has places in this module; users need the lines of
-/// their bodies.
+/// Replaces the places at which processes in Python wait. The report has places in the C++ source of this module, but
+/// users need the lines of their bodies in Python.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
         for (StuckProcess& process : report.result.deadlock->processes)

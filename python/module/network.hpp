@@ -75,9 +75,10 @@ private:
     Network network_;
 };
 
-/// Returns a dictionary for each error and warning. REQUIRES: the caller holds the lock.
+/// Returns a dictionary for each error and warning. REQUIRES: the caller holds Python's global lock.
 pybind11::list as_dicts(const std::vector<Diagnostic>&);
-/// Raises an exception of this class of placedpar.errors, with these errors. REQUIRES: the caller holds the lock.
+/// Raises an exception of the class `error_class` of placedpar.errors, with this text and these diagnostics. REQUIRES:
+/// the caller holds Python's global lock.
 [[noreturn]] void raise(const char* error_class, const std::string& text, const pybind11::list& diagnostics);
 
 void add_networks(pybind11::module_&);

@@ -44,12 +44,13 @@ void add_messages(pybind11::module_& module) {
     using End = std::shared_ptr<ChannelEnd>;
     pybind11::class_<ChannelEnd, End>(module, "ChannelEnd")
         .def(
-            "input", [](End end) { return of_end(Kind::input, std::move(end)); }, "Inputs a message: yield it.")
+            "input", [](End end) { return of_end(Kind::input, std::move(end)); },
+            "Returns the operation that inputs a message. Yield this operation in the body.")
         .def("input", refusal("input()"))
         .def(
             "output",
             [](End end, pybind11::object message) { return of_end(Kind::output, std::move(end), std::move(message)); },
-            "Outputs the message: yield it.")
+            "Returns the operation that outputs the message. Yield this operation in the body.")
         .def("output", refusal("output(message)"))
         .def_property_readonly("channel", [](const ChannelEnd& end) {
             end.require_attached();

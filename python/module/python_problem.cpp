@@ -47,7 +47,8 @@ struct Rated {
     }
 };
 
-/// Returns the returned array. Throws UserError unless it has a number, or a row of numbers, for each individual.
+/// Returns the array that the function returned. Throws UserError unless it has a number, or a row of numbers, for each
+/// individual.
 Table table_of(const py::object& returned, const py::array& population, const char* what) {
     constexpr std::string_view kinds = "biuf"; // NumPy's whole and real numbers
     const py::array any = py::array::ensure(returned);

@@ -24,8 +24,8 @@ struct FunctionInPython {
     std::vector<std::size_t> bits; ///< number of bits for each parameter
     bool maximises;
 
-    /// Throws UserError for bounds that cannot be encoded. REQUIRES: the caller holds the lock whenever the problem is
-    /// used.
+    /// Throws UserError for bounds that cannot be encoded. REQUIRES: the caller holds Python's global lock whenever the
+    /// problem is used.
     std::shared_ptr<const SearchProblem> problem() const;
     /// Returns a description: the goal (minimise or maximise) and the fields.
     std::string text() const;

@@ -114,7 +114,7 @@ IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded,
 /// Returns the checkpoint file of the search; null if the options name none.
 std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
                                               const std::vector<std::string>& names, std::size_t population) {
-    constexpr std::uint64_t every = 10; // generations, as in `placedpar run`
+    constexpr std::uint64_t every = 10; // generations between two checkpoints, as in `placedpar run`
     if (options.checkpoint.empty())
         return nullptr;
     std::vector<KeptSearch> searches;

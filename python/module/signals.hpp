@@ -9,9 +9,8 @@ namespace placedpar::python {
 /// too.
 ///
 /// 1. Objects that react to Ctrl-C exist on Python's main thread only. They may be nested: a process in Python may
-/// itself
-///    call sweep(). They end in reverse order.
-/// 2. An object is made and destroyed while its thread holds the lock.
+///    itself call sweep(). They end in reverse order.
+/// 2. An object is made and destroyed while its thread holds Python's global lock.
 class InterruptedByKeyboard : public Interruption {
 public:
     /// `heeds`: true if the object reacts to Ctrl-C; must be false outside Python's main thread.
@@ -29,7 +28,8 @@ private:
 };
 
 /// Requests all interruptions and waits, at most 10 s, until their runs have ended. When Python exits, it ends each
-/// thread that asks for the lock, and a run would crash. REQUIRES: the caller holds the lock.
+/// thread that asks for Python's global lock; a run that still went on would crash. REQUIRES: the caller holds this
+/// lock.
 void end_all_runs();
 
 } // namespace placedpar::python

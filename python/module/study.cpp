@@ -94,8 +94,8 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
-/// REQUIRES: the network was read from a file, and has no kinds in Python. `store` is a file; if it is "", the runs are
-/// kept in memory.
+/// Makes the runs of the sweep, and returns a row for each run. `store` is a file for the runs; if it is "", the runs
+/// are kept in memory. REQUIRES: the network was read from a file, and has no kinds in Python.
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
                const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
                std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,

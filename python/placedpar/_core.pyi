@@ -73,5 +73,6 @@ class Network:
     @property
     def counts(self) -> tuple[int, int, int]: ...
 
-# The functions that wrap these state their types: identify, sweep, explain, search, search_front and convergence_svg.
+# The types of identify, sweep, explain, search, search_front and convergence_svg are not stated here: the package's
+# functions that call them state their own types.
 def __getattr__(name: str) -> Any: ...

@@ -93,7 +93,7 @@ class Statements:
         part = Part(self._new(name), on)
         if isinstance(kind, type) and kind not in self._kinds:
             if not hasattr(kind, "_ports"):
-                raise TypeError(f"a kind is a class derived from placedpar.Process, or a name, not {kind!r}")
+                raise TypeError(f"a kind must be a class derived from placedpar.Process, or a name, not {kind!r}")
             self._kinds.append(kind)
         named = kind if isinstance(kind, str) else getattr(kind, "kind")
         self.statement(f"process {_attributes({'priority': priority} if priority else {})} {name}; "

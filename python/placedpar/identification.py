@@ -51,8 +51,8 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
     record: a DataFrame of shape (samples, columns) with the columns of a record's file, such as "time [s]",
     "boom.inlet_pressure [psi]", "boom.angle [deg]" and "boom.spool [in]" (docs/guides/records.md has all sensors and
     units). The name of a column states its unit.
-    columns: for columns that have other names in the DataFrame, these names, such as {"boom.angle [deg]": "Phi 1"}.
-    columns_from: a file with such names, one in each line.
+    columns: the DataFrame's own names of columns, by the names above, such as {"boom.angle [deg]": "Phi 1"}.
+    columns_from: a file that states such names, one on each line, such as boom.angle = Phi 1.
     links: one link or several, such as "boom" or ["bucket", "boom"].
     configuration: configuration of the main valve, "a" to "e".
     way: "service" (each movement), "thesis" (the first transient) or "whole" (several links over the whole movement).
@@ -65,11 +65,11 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
     numbers: bits, population, trials, window, elite, samples, rising (a truth value) and coding ("natural" or "gray"),
     which mean the same as the options of `placedpar identify`.
 
-    Raises RecordError for wrong readings; it names the column and the row. Raises Error for settings that are not
+    Raises RecordError for wrong readings. The error names the column and the row. Raises Error for settings that are not
     valid, and for a record that lacks data that the settings require. Warns about doubtful readings with a RecordWarning.
     """
     if not hasattr(record, "to_csv") or not hasattr(record, "columns"):
-        raise TypeError(f"a record is a pandas DataFrame, not {type(record).__name__}")
+        raise TypeError(f"a record must be a pandas DataFrame, not {type(record).__name__}")
     settings = _core.IdentifySettings()
     given = {"links": links if isinstance(links, str) else ",".join(links), "configuration": configuration, "way": way,
              "seed": seed_of(seed), "machine": os.fspath(machine), "areas_from": areas_from, "offset": str(offset),

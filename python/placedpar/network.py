@@ -275,13 +275,13 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
     such as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
     include: folders that are searched for included files.
     faults: faults, written as in a netlist.
-    use: for each process that is named, the kind that replaces its program.
+    use: process kinds that replace programs, by the programs' names in the netlist, such as {"sim.lku": "ga.master"}.
 
     Raises NetlistError, with file, line, column and hint of each error.
     """
     for kind in kinds:
         if not hasattr(kind, "_ports"):
-            raise TypeError(f"kinds are classes derived from placedpar.Process, not {kind!r}")
+            raise TypeError(f"kinds must be classes derived from placedpar.Process, not {kind!r}")
     text = os.fspath(netlist)
     network = Network()
     if ";" in text or "\n" in text:

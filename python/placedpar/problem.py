@@ -11,7 +11,7 @@ Bounds = Sequence[tuple[float, float]]
 EQUATION_TOLERANCE = 1e-4  #: an equation h(x) = 0 of a problem object is satisfied if |h(x)| is at most this
 
 
-default_bits = 16  # of each parameter
+default_bits = 16  # number of bits of each parameter
 
 
 def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]], maximise: bool,

@@ -40,7 +40,7 @@ def _protocol(kind: Any) -> str:
         return _PROTOCOLS[kind]
     if isinstance(kind, str):
         return kind
-    raise TypeError(f"a port carries int, float, bool, bytes, list[int], list[float], pp.Packet, object, pp.INT16, "
+    raise TypeError(f"a port can carry int, float, bool, bytes, list[int], list[float], pp.Packet, object, pp.INT16, "
                     f"pp.INT64, pp.BYTE or pp.REAL32, not {kind!r}")
 
 
@@ -90,7 +90,7 @@ class Parameter:
         types = {int: "integer", float: "real", str: "text"}
         kind = default if is_type else type(default)
         if kind not in types:
-            raise TypeError(f"a parameter is an int, a float or a str, not {default!r}")
+            raise TypeError(f"a parameter must be an int, a float or a str, not {default!r}")
         if kind is int and not is_type and not -2**63 <= default < 2**63:
             raise Error(f"a parameter of {default}, expected a whole number of 64 bits")
         self.type = types[kind]

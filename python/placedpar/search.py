@@ -15,7 +15,7 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: parameters of the individual, an array of shape (d,); empty if the problem has none, as a tour.
+    x: parameters of the individual, an array of shape (d,); empty if the problem has none, such as a tour.
     string: the individual's string of bits, its real numbers or its tour, as a text.
     value: objective of the individual; NaN if the individual is not feasible.
     violation: sum of the violations of the constraints; 0 if the individual is feasible.
@@ -69,15 +69,15 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
            progress: ProgressOption = None) -> Found:
     """Searches for the least value of an objective, and returns the result as a Found.
 
-    problem: a function of a population, which gets an array of shape (n, d) and returns n values, of shape (n,) or
+    problem: a function, which receives a population as an array of shape (n, d), and returns n values, of shape (n,) or
     (n, 1); or a problem object of pymoo or pygmo; or the name of a known problem, such as "rastrigin(dimensions = 10)".
     With constraints, the function returns a tuple: the values, and an array of shape (n,) or (n, k). A constraint is
     satisfied if its number is at most 0. A feasible individual is better than an individual that is not feasible. Of two
     individuals that are not feasible, the individual with the smaller sum of violations is better.
     bounds: d pairs (least, greatest) for the parameters of a function.
     maximise: whether to search for the greatest value of a function instead.
-    bits: number of bits of each parameter's field; one number, or d numbers. Bounds, bits and maximise are refused with
-    the name of a known problem, and bounds with a problem object: such a problem states its own.
+    bits: number of bits of each parameter's field; one number, or d numbers. If the problem is given by its name, bounds,
+    bits and maximise are refused, because the problem states them. For a problem object, bounds are refused.
     coding: "natural", "gray" or "real" (no bits).
     population: number of individuals of each island. Each island has its own random numbers, given by `seed`.
     checkpoint: a file in which all populations are stored every 10 generations. If the file exists, the search continues
@@ -87,7 +87,7 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
     reproduction(fitness, count, random) -> count indices of parents;
     crossover(a, b, random) -> (a, b); mutation(x, place, random) -> x, for each place that is mutated;
     topology(islands) -> for each island a list of its neighbours;
-    schedule(exchange, neighbours) -> the neighbours that get emigrants; the function's attribute `every` is the number
+    schedule(exchange, neighbours) -> the neighbours that receive emigrants; the function's attribute `every` is the number
     of generations between exchanges;
     emigration(fitness, random) -> indices of emigrants; the function's attribute `count` is the number of emigrants;
     acceptance(fitness, immigrants, random) -> for each immigrant the index of the individual that it replaces, or

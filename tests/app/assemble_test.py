@@ -30,7 +30,7 @@ class Assemble(unittest.TestCase):
     def test_a_short_program_is_one_boot_packet(self):
         done = self.assemble("ldc 1; ldc -1\n")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout, f"{self.out}: 3 bytes for #80000070, in one boot packet\n")
+        self.assertEqual(done.stdout, f"{self.out}: 3 bytes for address #80000070, in one boot packet\n")
         self.assertEqual(self.out.read_bytes(), b"\x03\x41\x60\x4f")
         self.assertIn("#80000048", self.assemble("rev; rev", "--processor", "T414").stdout)
 

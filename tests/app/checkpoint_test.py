@@ -164,7 +164,7 @@ class Refusals(unittest.TestCase):
     def test_of_another_seed_or_other_searches(self):
         placedpar("run", ISLANDS, "--checkpoint", self.file)
         self.assertIn("the checkpoint has seed 1, but this run has 2: ", self.refused("--seed", "2"))
-        self.assertIn("the checkpoint has searches: 8, but this run has 4: ",
+        self.assertIn("the checkpoint has search count 8, but this run has 4: ",
                       self.refused("--set", "islands=4", "--set", "processors=4", "--set", "population=15"))
         self.assertIn("the checkpoint has island[0].population = 15, but this run has 20: ",
                       self.refused("--set", "population=20"))
@@ -178,7 +178,7 @@ class Refusals(unittest.TestCase):
                           self.refused())
 
     def test_of_searches_whose_results_no_checkpoint_holds(self):
-        self.assertIn("belongs to a pair and has a bias point, which a checkpoint cannot store",
+        self.assertIn("belongs to a pair of a coarse and a fine search, and has a bias point, which a checkpoint cannot store",
                       self.refused(netlist=EXAMPLES / "genetic/coarse-fine/pair.cfs"))
         self.assertIn("no process of", self.refused(netlist=EXAMPLES / "csp/commstime/commstime.cfs"))
         self.assertIn("--seeds asks for 3 runs", self.refused("--seeds", "3"))

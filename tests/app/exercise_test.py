@@ -27,7 +27,7 @@ class Course(unittest.TestCase):
             answer = file_of("answers", number)
             done = placedpar("exercise", number, answer)
             self.assertEqual((done.returncode, done.stdout, done.stderr),
-                             (0, f"{answer}: solved; also in 20 other orders of its processes\n", ""), number)
+                             (0, f"{answer}: solved; also with 20 other orders of its processes\n", ""), number)
 
     def test_the_starts_are_not_right_yet(self):
         for number in NUMBERS:

@@ -247,7 +247,7 @@ class Identification(unittest.TestCase):
         self.identify(STEP, "--on", FIGURE_E2, "--set", "population=20", "--population", 80)
 
     def test_netlists_that_cannot_search_the_record_are_refused(self):
-        self.assertIn("no process searches, expected ga.traditional", self.refused(STEP, "--on", MATRIX))
+        self.assertIn("no process searches; expected a process of the kind ga.traditional", self.refused(STEP, "--on", MATRIX))
         pair = EXAMPLES / "genetic" / "coarse-fine" / "pair.cfs"
         self.assertIn("unknown search problem 'plant'", self.refused(STEP, "--on", pair))
         text = pair.read_text(encoding="utf-8")

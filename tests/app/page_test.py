@@ -419,7 +419,7 @@ class Pages(unittest.TestCase):
     @unittest.skipUnless(CHROMIUM, "no browser")
     def test_what_is_only_summarised_is_said(self):
         _, page = self.page(COMMSTIME, *LONG)
-        for changed, said in [(without_the_middle(page), r"see its [\d,]+ slices and messages one by one. [\d,]+ more, of the middle, are summarised"),
+        for changed, said in [(without_the_middle(page), r"see its [\d,]+ slices and messages one by one. [\d,]+ more, in the middle of the run, are summarised"),
                               (page.replace("<head>", "<head><script>delete window.DecompressionStream;</script>"),
                                "This browser cannot unpack its slices and messages")]:
             (self.folder / "run.html").write_text(changed, encoding="utf-8")

@@ -216,7 +216,7 @@ class Replay(unittest.TestCase):
             self.assertRegex(run.stdout, r"\nspeedup +10\.86 +12 +-9\.5%!")
         run = placedpar("replay", "table-e1", "--against", "printed")
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn("it affects table-e2", run.stderr)
+        self.assertIn("the option affects table-e2", run.stderr)
 
     def test_the_compliance_stands_beside_the_true_one_and_is_judged(self):
         for experiment, columns in (("table-e1", 4), ("table-e2", 4)):

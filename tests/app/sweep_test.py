@@ -156,13 +156,13 @@ class Sweep(InFolder):
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
-        self.assertEqual(report[2], "1 run without relative figures, because no matching run with these settings ended in the same way")
+        self.assertEqual(report[2], "no relative figures for 1 run: no run with the settings above and the same seed ended in the same way")
 
     def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
         report = placedpar("report", "commstime.cfs", "--relative-to", "count=10", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[2] for line in report[5:8]][::2], ["1", "-"])
-        self.assertIn("1 run without relative figures", report[2])
+        self.assertIn("no relative figures for 1 run", report[2])
 
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
@@ -206,7 +206,7 @@ class BadInput(InFolder):
                 (["slaves=1,,2"], "slaves=1,,2: a value is missing"),
                 (["slaves"], "slaves: expected NAME=VALUES"),
                 (["slaves=1", "slaves=2"], "slaves is set twice"),
-                (["slaves=1", "--results", "."], ".: this is a folder; name a file"),
+                (["slaves=1", "--results", "."], ".: this is not a file; name a file"),
                 (["slaves=1", "--results", "no/where"], "no/where: the file cannot be created: No such file or directory")):
             with self.subTest(arguments):
                 self.assertIn(message, self.sweep(FIGURE_E2, *arguments, code=1))

@@ -34,16 +34,16 @@ class Refusals(unittest.TestCase):
     def test_names_that_cannot_be(self):
         names = ("HourGlass", "hour-glass"), ("hour_glass", "hour-glass"), ("3-way", "way"), ("a--b", "a-b"), ("../x", "x"), ("", "hour-glass")
         for (name, proper), what in itertools.zip_longest(names, skeleton.PIECES, fillvalue="kind"):
-            self.refused(f'"{name}" cannot be a name: it is small letters and digits, with a hyphen between words, such as '
+            self.refused(f'"{name}" cannot be a name: a name has small letters and digits, and hyphens between words, such as '
                          f'"{proper}"\n', what, name)
-        self.refused('"double" is a word of C++: take another, such as "my-double"', "kind", "double")
-        self.refused('"thread-local" is a word of C++', "problem", "thread-local")
-        self.refused('"linux" is a word of C++', "experiment", "linux")
+        self.refused('"double" is a reserved word of C++: choose another name, such as "my-double"', "kind", "double")
+        self.refused('"thread-local" is a reserved word of C++', "problem", "thread-local")
+        self.refused('"linux" is a reserved word of C++', "experiment", "linux")
         self.refused('"connect" is a word of netlists', "device", "connect")
         self.refused("has 25 characters: a name has at most 24", "kind", "a" * 25)
 
     def test_names_that_are_taken(self):
-        self.refused("examples/csp/sieve is there already: take another name", "kind", "sieve")
+        self.refused("examples/csp/sieve already exists: choose another name", "kind", "sieve")
         self.refused('"buffer" is taken: classics/bounded_buffer.cpp:', "kind", "buffer")
         self.refused('"transputer" is taken: ', "device", "transputer")
         self.refused('"clock" is a word of netlists, or a name', "device", "clock")
@@ -53,16 +53,16 @@ class Refusals(unittest.TestCase):
         self.refused('"processor" is taken: experiments/machine/processor.cpp:', "experiment", "processor", "chapter_2")
 
     def test_files_that_are_there(self):
-        self.refused('tests/app/trace_test.py is there already: take another name than "trace", or remove the file',
+        self.refused('tests/app/trace_test.py already exists: choose another name than "trace", or remove the file',
                      "experiment", "trace")
         file = self.top / "classics" / "half_made.cpp"
         file.write_text("")
         self.addCleanup(file.unlink)
-        self.refused("classics/half_made.cpp is there already", "kind", "half-made")
+        self.refused("classics/half_made.cpp already exists", "kind", "half-made")
 
     def test_folders_without_experiments(self):
         for folder in ("chapter_9", "kit", "..", "chapter_3/kit"):
-            self.refused(f"experiments/{folder} has no experiments: the folder is one of appendix_e, chapter_2, chapter_3, "
+            self.refused(f"experiments/{folder} has no experiments: expected one of the folders appendix_e, chapter_2, chapter_3, "
                          "chapter_4, chapter_5, chapter_6, machine", "experiment", "one-way", folder)
 
     def test_lists_that_are_not_as_they_were(self):

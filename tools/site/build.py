@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Builds the site of the documents: build.py PROGRAM HEADERS FOLDER [--python PACKAGES], from the files of a build.
+"""Builds the web site of the documents from the files of a build: build.py PROGRAM HEADERS FOLDER [--python PACKAGES].
 
-FOLDER/html/index.html opens from the file system. The other folders there are steps: source/ has the pages, with links
-to the rooms; xml/ what Doxygen read in the headers; runs/ the pages of runs that the examples show.
+A browser can open FOLDER/html/index.html from the file system. The other folders in FOLDER are intermediate: source/
+has links to the pages and rooms, xml/ has Doxygen's output for the headers, and runs/ has the pages of the examples'
+runs.
 """
 
 import argparse
@@ -21,7 +22,7 @@ TREE = HERE.parent.parent
 
 
 def link_pages(source):
-    """Makes the source folder: links to all top folders and pages, without the folders of builds."""
+    """Makes the source folder, with links to all top folders and files except the build folder."""
     shutil.rmtree(source, ignore_errors=True)
     source.mkdir(parents=True)
     for entry in TREE.iterdir():
@@ -30,7 +31,7 @@ def link_pages(source):
 
 
 def first_run(page):
-    """Returns the arguments of the first command of a page that runs a file of the tree by simulation, or None."""
+    """Returns the arguments of the page's first command that simulates a file of the tree; None if there is no such command."""
     for line in page.read_text().splitlines():
         if line.startswith("$ placedpar run examples/"):
             command = re.split("[;|>]", line.removeprefix("$ placedpar run "))[0]
@@ -41,7 +42,7 @@ def first_run(page):
 
 
 def without_pictures(arguments):
-    """Returns the arguments without options that write a picture or choose a part of one."""
+    """Returns the arguments without the options for traces, since another file would be written."""
     kept = []
     rest = iter(arguments)
     for argument in rest:
@@ -53,7 +54,7 @@ def without_pictures(arguments):
 
 
 def draw_runs(program, folder):
-    """Writes the page of the run that each example shows first, as FOLDER/NAME/OF/EXAMPLE.html."""
+    """Writes FOLDER/NAME/OF/EXAMPLE.html for each example: the page of the first run that the example shows."""
     for page in sorted((TREE / "examples").glob("**/README.md")):
         arguments = first_run(page)
         drawn = folder / page.parent.relative_to(TREE / "examples").with_suffix(".html")
@@ -62,12 +63,12 @@ def draw_runs(program, folder):
         drawn.parent.mkdir(parents=True, exist_ok=True)
         run = subprocess.run([program, "run", *without_pictures(arguments), "--page", drawn], cwd=TREE,
                              stdin=subprocess.DEVNULL, capture_output=True, text=True)
-        done = "drawn" if drawn.exists() else "not drawn, for it needs a file that is made first"
+        done = "drawn" if drawn.exists() else "not drawn, because it needs a file that another command makes"
         print(f"{done}: the run of {page.relative_to(TREE)}", flush=True)
 
 
 def read_headers(headers, xml):
-    """Lets Doxygen read the public headers, which are all but those in detail/."""
+    """Lets Doxygen read the public headers: all headers except those in detail/."""
     xml.mkdir(parents=True, exist_ok=True)
     settings = f"""
         INPUT = {headers}
@@ -91,7 +92,7 @@ def read_headers(headers, xml):
 
 PYTHON_PAGE = """# Interfaces in Python
 
-[The guide](../docs/guides/python.md) shows how these are used.
+[The guide](../docs/guides/python.md) shows how to use these classes and functions.
 
 ```{eval-rst}
 .. automodule:: placedpar
@@ -105,9 +106,9 @@ PYTHON_PAGE = """# Interfaces in Python
 def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("program", type=pathlib.Path)
-    options.add_argument("headers", type=pathlib.Path, help="the folder placedpar of the staged headers")
+    options.add_argument("headers", type=pathlib.Path, help="the build's folder placedpar with the public headers")
     options.add_argument("folder", type=pathlib.Path)
-    options.add_argument("--python", type=pathlib.Path, help="the folder that has the package placedpar")
+    options.add_argument("--python", type=pathlib.Path, help="the folder that contains the Python package placedpar")
     given = options.parse_args()
     folder = given.folder.absolute()
     link_pages(folder / "source")

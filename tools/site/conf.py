@@ -1,4 +1,4 @@
-"""Sphinx's settings for the site: every page of documentation, the listings that they link, and the public interfaces.
+"""Sphinx's settings for the site: all pages of the documents, the files that the pages link, and the public interfaces.
 
 build.py runs Sphinx with them.
 """
@@ -19,9 +19,9 @@ include_patterns = ["*.md", "docs/**.md", "examples/**.md", "interfaces/**.md", 
 exclude_patterns = ["docs/occam-course/answers", "tools/skeleton"]
 
 extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc", "contents", "languages", "linked_files", "run_pages"]
-myst_heading_anchors = 4  # as GitHub makes them: links to headings work in both
+myst_heading_anchors = 4  # GitHub's anchors of headings, so that links to headings work on both sites
 myst_enable_extensions = ["colon_fence"]
-breathe_projects = {"placedpar": os.environ["PLACEDPAR_API_XML"]}  # build.py sets it
+breathe_projects = {"placedpar": os.environ["PLACEDPAR_API_XML"]}  # set by build.py
 breathe_default_project = "placedpar"
 breathe_show_include = False
 

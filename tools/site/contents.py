@@ -1,6 +1,6 @@
-"""Makes the table of contents at the side: the folders of the documents are its chapters.
+"""Makes the table of contents at the side, whose chapters are the folders of the documents.
 
-The pages themselves have links in their text, as on GitHub, and no list for Sphinx.
+The pages have links in their text, as on GitHub, but not the lists that Sphinx needs. This extension adds these lists.
 """
 
 import fnmatch
@@ -24,7 +24,7 @@ def listing(entries, caption=None):
 
 
 def pages_below(app, docname):
-    """Returns the pattern of the pages that a README lists, or None if its folder has none."""
+    """Returns the pattern of the pages below a README, or None if there are no such pages."""
     folder = posixpath.dirname(docname)
     pattern = "*" if folder.startswith(("docs/", "interfaces")) else "*/README"
     others = fnmatch.filter(app.env.found_docs, f"{folder}/{pattern}")
@@ -32,7 +32,7 @@ def pages_below(app, docname):
 
 
 def add_contents(app, docname, source):
-    """Adds the chapters to the first page, and the pages of its folder to each other README."""
+    """Adds the chapters to the first page, and to every other README the pages below it."""
     lists = []
     if docname == "README":
         lists = [listing(["/" + entry for entry in entries], caption) for caption, entries in CHAPTERS]

@@ -1,4 +1,4 @@
-"""Colours for occam, netlists and assembly. Blocks whose language Pygments has no words for are plain text."""
+"""Colours for occam and netlists. Blocks in languages that Pygments does not know are shown as plain text."""
 
 from pygments.lexer import RegexLexer
 from pygments.lexers.special import TextLexer
@@ -6,7 +6,7 @@ from pygments.token import Comment, Keyword, Name, Number, Operator, String, Tex
 
 
 class OccamLexer(RegexLexer):
-    """occam: every word in upper case is one of the language, or a library's macro."""
+    """occam: a word in upper case is a keyword, or a name from a library."""
 
     tokens = {
         "root": [

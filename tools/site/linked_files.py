@@ -1,4 +1,4 @@
-"""Makes links to files and folders of the source tree work: a linked file becomes a page with its text."""
+"""Makes links to files and folders of the source tree work, by a page with the text of each linked file."""
 
 import html
 import pathlib
@@ -8,17 +8,17 @@ from docutils import nodes
 from sphinx import addnodes
 
 LANGUAGES = {".hpp": "cpp", ".cfs": "netlist", ".inc": "netlist", ".occ": "occam", ".pgm": "occam", ".svg": "xml", ".ipynb": "json"}
-LONGEST = 200_000  # characters of a file that are shown
+LONGEST = 200_000  # largest number of characters of a file that are shown
 
 
 def link_to_page(app, page, path, content):
-    """Returns a link from a page to the page of a file of the tree."""
+    """Returns a link from the page `page` to the page of the file `path`."""
     uri = app.builder.get_relative_uri(page, posixpath.join("files", path))
     return nodes.reference("", "", *content, refuri=uri, internal=True)
 
 
 def take_links(app, doctree):
-    """Replaces links that would download a file by links to the page of the file."""
+    """Replaces each link that would download a file by a link to the page of this file."""
     page = app.env.docname
     for link in list(doctree.findall(addnodes.download_reference)):
         path = posixpath.normpath(posixpath.join(posixpath.dirname(page), link["reftarget"]))
@@ -27,7 +27,7 @@ def take_links(app, doctree):
 
 
 def find_folder(app, env, node, content):
-    """Returns a link for a folder: to its README, or else to a list of its files."""
+    """Returns a link for a folder: to its README, or, if it has none, to a page that lists its files."""
     page = node["refdoc"]
     path = posixpath.normpath(posixpath.join(posixpath.dirname(page), node["reftarget"]))
     if f"{path}/README" in env.found_docs:
@@ -40,7 +40,7 @@ def find_folder(app, env, node, content):
 
 
 def body_of(app, path):
-    """Returns the page's body for a file or a folder of the tree."""
+    """Returns the HTML of the page for a file or a folder of the tree."""
     file = pathlib.Path(app.srcdir) / path
     if file.is_dir():
         names = sorted(entry.name for entry in file.iterdir() if not entry.name.startswith((".", "__")))

@@ -1,9 +1,9 @@
-"""Pages of the public interfaces: one for each room, with the declarations of the headers that programs may include."""
+"""Writes the pages of the public interfaces: for each room, a page with the declarations of its public headers."""
 
 import pathlib
 import xml.etree.ElementTree as tree
 
-# What Breathe calls the directive of each kind of member of a namespace.
+# Breathe's directive for each kind of member of a namespace.
 MEMBERS = {"function": "doxygenfunction", "enum": "doxygenenum", "typedef": "doxygentypedef", "variable": "doxygenvariable"}
 
 
@@ -37,7 +37,7 @@ def declarations(xml):
     for namespace in found["namespace"]:
         for member in namespace.iter("memberdef"):
             name = member.findtext("qualifiedname")
-            if member.get("kind") not in MEMBERS or name in classes or "detail::" in name:  # classes: guides of deduction
+            if member.get("kind") not in MEMBERS or name in classes or "detail::" in name:  # a member with a class's name is a deduction guide
                 continue
             arguments = member.findtext("argsstring") if member.get("kind") == "function" else ""
             header, line = place(member)
@@ -57,6 +57,6 @@ def write_interface_pages(xml, folder):
         (folder / f"{room}.md").write_text("\n\n".join([f"# {room}", *parts]) + "\n")
     links = "\n".join(f"- [{room}]({room}.md)" for room in rooms)
     (folder / "README.md").write_text(
-        "# Interfaces in C++\n\nA program of your own may include these headers. "
-        "[Building by hand](../../docs/start/commands.md#building-by-hand) says how to install them, and [own "
+        "# Interfaces in C++\n\nYour own programs may include these headers. "
+        "[Building by hand](../../docs/start/commands.md#building-by-hand) says how to install the headers, and [own "
         f"processes](../../docs/guides/own-processes.md) has a first program.\n\n{links}\n")

@@ -1,4 +1,4 @@
-"""Puts the page of a run, where one was drawn (build.py), under the text of its example."""
+"""Adds the page of a run to the page of its example, if build.py has written the page of the run."""
 
 import os
 import pathlib
@@ -14,7 +14,7 @@ def add_run(app, docname, source):
         return
     address = "../" * docname.count("/") + "runs/" + run
     source[0] += (f'\n\n## The run\n\n<iframe class="run" loading="lazy" title="the page of the run" src="{address}">'
-                  f'</iframe>\n<p><a href="{address}">the run in a page of its own</a></p>\n')
+                  f'</iframe>\n<p><a href="{address}">Open the run in a separate page</a></p>\n')
 
 
 def copy_runs(app, exception):

@@ -1,8 +1,8 @@
 """Writes a new kind, device, problem or experiment from the templates in the folders beside this file.
 
-A template is a file whose path below its folder is where it goes, without the last .in. In paths and texts @snake@ and
-the other words of `words_for` are replaced. `Insertion`s add the new piece to the lists and tables that name it.
-Everything is made in memory first: either all of it is written, or nothing.
+The path of a template below its folder, without the last .in, is the path of the new file. In paths and texts, @snake@
+and the other placeholders of `words_for` are replaced. Each `Insertion` adds the new piece to a list or a table. All
+texts are made in memory first, so either all files are written, or none.
 """
 
 import dataclasses
@@ -37,7 +37,7 @@ class Refusal(Exception):
 
 @dataclasses.dataclass
 class Insertion:
-    """Text inserted before a place in a file; the place must occur exactly once."""
+    """A text that is inserted in front of the text `before` of a file. `before` must occur exactly once in the file."""
 
     file: str
     before: str
@@ -47,24 +47,24 @@ class Insertion:
         added = filled(self.text, words)
         if text.count(self.before) != 1:
             raise Refusal(f"{self.file}: expected the line {self.before.strip().splitlines()[0]!r} once, found it "
-                          f"{text.count(self.before)} times: put {added.strip()!r} there by hand, or mend the file")
+                          f"{text.count(self.before)} times: insert {added.strip()!r} by hand, or repair the file")
         return text.replace(self.before, added + self.before)
 
 
 @dataclasses.dataclass
 class Piece:
-    """What one of the tools writes besides its templates, and which names are taken."""
+    """The lists that one of the tools changes besides writing its templates, and the rules for names that are taken."""
 
-    topic: str    # the folder of examples that gets its example
-    example: str  # the example's line in that folder's index
+    topic: str    # the folder of examples/ for the piece's example
+    example: str  # the example's description in the README of this folder
     insertions: list
-    taken: list  # (files, pattern): the name is taken where the pattern is found in one of the files
-    reserved: set = dataclasses.field(default_factory=set)  # in addition to C++ keywords
-    next: str = ""  # the command to print, for a look at the new piece
+    taken: list  # (files, pattern): the name is taken if the pattern is found in one of the files
+    reserved: set = dataclasses.field(default_factory=set)  # names that are refused in addition to C++ keywords
+    next: str = ""  # a command that shows the new piece; it is printed at the end
 
 
 END_OF_NAMESPACE = "\n} // namespace placedpar\n"
-# Matches a type, or a function in a namespace, of the same name.
+# The name is taken if a source declares a type or a namespace with this name, or a header declares such a function.
 TYPE = (r"[a-z].*\.[ch]pp", r"\b(?:class|struct|enum|namespace|concept|using) (?:placedpar::)?(?:@Pascal@|@snake@)\b")
 FUNCTION = (r"[a-z].*\.hpp", r"(?m)^(?:[\w:<>,]+[ &*]+)+@snake@\(")
 PIECES = {
@@ -116,13 +116,13 @@ def check_name(name, piece):
     """Throws Refusal unless the name is possible in C++, in netlists and on the command line."""
     if not re.fullmatch(r"[a-z][a-z0-9]*(-[a-z0-9]+)*", name):
         proper = re.sub(r"[^a-z0-9]+", "-", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "-", name).lower()).strip("-0123456789")
-        raise Refusal(f'"{name}" cannot be a name: it is small letters and digits, with a hyphen between words, such as '
+        raise Refusal(f'"{name}" cannot be a name: a name has small letters and digits, and hyphens between words, such as '
                       f'"{proper or "hour-glass"}"')
     if len(name) > LONGEST:
         raise Refusal(f'"{name}" has {len(name)} characters: a name has at most {LONGEST}')
     if name in RESERVED or name in piece.reserved:
-        where = "a word of C++" if name in RESERVED else "a word of netlists, or a name in the example's"
-        raise Refusal(f'"{name}" is {where}: take another, such as "my-{name}"')
+        where = "a reserved word of C++" if name in RESERVED else "a word of netlists, or a name in the example's netlist"
+        raise Refusal(f'"{name}" is {where}: choose another name, such as "my-{name}"')
 
 
 def words_for(name, topic):
@@ -135,11 +135,11 @@ def words_for(name, topic):
 
 
 def words_for_experiment(folder, top):
-    """Returns the chapter of the folder's experiments, and its next free number; numbers from 100 on stay last."""
+    """Returns the chapter of the folder's experiments, and the next free number below 100. Experiments with numbers from 100 on stay at the end of the list."""
     files = sorted((top / "experiments" / folder).glob("*.cpp"))
     if not re.fullmatch(r"chapter_\w+|appendix_\w+|machine", folder) or not files:
         known = sorted(path.name for path in (top / "experiments").iterdir() if path.is_dir() and path.name != "kit")
-        raise Refusal(f'experiments/{folder} has no experiments: the folder is one of {", ".join(known)}')
+        raise Refusal(f'experiments/{folder} has no experiments: expected one of the folders {", ".join(known)}')
     texts = [path.read_text(encoding="utf-8") for path in files]
     numbers = [int(number) for text in texts for number in re.findall(r"\.number = (\d+)", text)]
     chapters = [found for text in texts for found in re.findall(r'\.chapter = "(\w+)"', text)]
@@ -147,9 +147,9 @@ def words_for_experiment(folder, top):
 
 
 def check_taken(piece, words, top):
-    """Throws Refusal if something in the tree already has that name."""
+    """Throws Refusal if something in the tree already has the name."""
     if (top / "examples" / words["example"]).exists():
-        raise Refusal(f'examples/{words["example"]} is there already: take another name than "{words["kebab"]}"')
+        raise Refusal(f'examples/{words["example"]} already exists: choose another name than "{words["kebab"]}"')
     names = tree.names(top)
     for files, pattern in piece.taken:
         wanted = re.compile(filled(pattern, words))
@@ -159,7 +159,7 @@ def check_taken(piece, words, top):
             text = re.sub(r"//.*", "", (top / name).read_text(encoding="utf-8", errors="replace"))  # without comments
             if found := wanted.search(text):
                 line = text[:found.start()].count("\n") + 1
-                raise Refusal(f'"{words["kebab"]}" is taken: {name}:{line} has {found[0].strip()}: take another name')
+                raise Refusal(f'"{words["kebab"]}" is taken: {name}:{line} has {found[0].strip()}: choose another name')
 
 
 def new_files(what, words, top):
@@ -169,7 +169,7 @@ def new_files(what, words, top):
     for template in sorted(path for path in folder.rglob("*.in")):
         path = filled(str(template.relative_to(folder)).removesuffix(".in"), words)
         if (top / path).exists():
-            raise Refusal(f'{path} is there already: take another name than "{words["kebab"]}", or remove the file')
+            raise Refusal(f'{path} already exists: choose another name than "{words["kebab"]}", or remove the file')
         made[path] = filled(template.read_text(encoding="utf-8"), words)
     return made
 
@@ -182,7 +182,7 @@ def changed_files(piece, words, top):
         try:
             text = changed.get(insertion.file) or (top / insertion.file).read_text(encoding="utf-8")
         except OSError as error:
-            raise Refusal(f"{insertion.file}: cannot be read, but lists what there is: {error.strerror}") from error
+            raise Refusal(f"{insertion.file}: cannot be read, but must list the new piece: {error.strerror}") from error
         changed[insertion.file] = insertion.into(text, words)
     return changed
 
@@ -191,7 +191,7 @@ def formatted(texts, top):
     """Returns the texts, with C++ formatted by clang-format 14; unchanged if it is not installed."""
     program = formatting.clang_format()
     if not program:
-        print("clang-format 14 is not installed: where it is, say python3 tests/tidy/format.py . --mend")
+        print("clang-format 14 is not installed, so the new files are not formatted: install it, and run python3 tests/tidy/format.py . --mend")
         return texts
     done = {}
     for path, text in texts.items():
@@ -229,7 +229,7 @@ def put_back(before, folders, top):
 
 
 def make(what, name, folder="machine", top=TOP):
-    """Makes the piece. Returns what it wrote and the placeholders' values. Throws Refusal."""
+    """Writes the piece. Returns the written texts by path, and the values of the placeholders. Throws Refusal."""
     piece = PIECES[what]
     check_name(name, piece)
     words = words_for(name, piece.topic)
@@ -242,7 +242,7 @@ def make(what, name, folder="machine", top=TOP):
 
 
 def main(what, arguments, about):
-    """Returns the exit code of tools/new-WHAT."""
+    """Runs tools/new-WHAT with these arguments, and returns its exit code."""
     most = 2 if what == "experiment" else 1
     if arguments in (["-h"], ["--help"]):
         print(about.strip())

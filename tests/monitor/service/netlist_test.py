@@ -219,7 +219,7 @@ class OnNetlist(ServiceTest):
         for i in range(40):
             slow.send(**{**boom(i), "time_s": round(0.03 * i, 6)})
         slow.send(**END)
-        self.assertIn('period = 20 in the netlist for "sensors", but the samples are 30 ms apart',
+        self.assertIn('period = 20 ms in the netlist for "sensors", but the samples are 30 ms apart',
                       slow.receive_type("netlist")["text"])
         steady = self.client(service, "steady")
         steady.ask(**CONFIGURATION)
