@@ -22,7 +22,7 @@ std::uint32_t where_code_is(const Code&, const CodeOptions&);
 /// Returns a bootable file that runs the program on one transputer. The file has PlacedPar's loader, then the code.
 std::vector<std::uint8_t> bootable(const Code&, const CodeOptions&);
 
-/// Returns the contents of the memory of a transputer that has this program when a run begins.
+/// Returns what is in the memory of a transputer when a run of this program begins.
 transputer::Image image_of(const Code&, const CodeOptions&);
 
 } // namespace placedpar::occam

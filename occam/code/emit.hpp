@@ -98,7 +98,7 @@ private:
 
 /// Returns whether an instruction may set the flag Error, depending on computed values.
 bool may_set_error(transputer::Operation);
-/// Returns by how many words an instruction changes the depth of the register stack.
+/// Returns how many words an instruction adds to the register stack; the number is negative if it removes words.
 int stack_effect(transputer::Operation);
 
 } // namespace placedpar::occam

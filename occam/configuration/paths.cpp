@@ -56,7 +56,7 @@ Configurer::Selection Configurer::slice(const Selection& whole, std::size_t firs
     return part;
 }
 
-/// Returns the elements that a checked path names; none if the path has an error.
+/// Returns the elements that a path names; none if the path has an error. REQUIRES: the checker has checked the path.
 Configurer::Selection Configurer::selection_of(const Expression& path) {
     if (const auto* const use = std::get_if<NameUse>(&path.form)) {
         const auto found = selections_.find(use->meaning);

@@ -14,7 +14,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Lists the words for types of transputers in old configurations.
+/// Lists the short names that old configurations use for types of transputers.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> short_types = {
     {{"T8", "T800"}, {"T4", "T414"}, {"T5", "T425"}, {"TA", "T414"}, {"TB", "T414"}}};
 constexpr std::int64_t usual_memory_bytes = 2 * 1024 * 1024;
@@ -43,7 +43,7 @@ std::optional<Element> Configurer::node_of(Processor& processor) {
     return node;
 }
 
-/// Returns the processor of `PROCESSOR 0 T8`, where no NETWORK describes it.
+/// Returns the processor that a statement such as `PROCESSOR 0 T8` describes: its number and type, without a NETWORK.
 std::optional<Element> Configurer::numbered_node(Processor& processor) {
     const auto number = constant(processor.number, "the number of a processor");
     if (!number)

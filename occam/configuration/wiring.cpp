@@ -63,7 +63,7 @@ void Configurer::connect(const Place& place, Connect& written) {
     configured_.wires.push_back({*a, *b});
 }
 
-/// Gives the next wire the name of an arc.
+/// States that the arc names the wire that is added next. Reports an arc that already names a wire.
 void Configurer::name_wire(const Element& arc, const Place& place) {
     const auto [known, is_new] = wire_of_arc_.emplace(arc, configured_.wires.size());
     if (!is_new)

@@ -88,7 +88,7 @@ Line Lines::next() {
     return line;
 }
 
-/// Appends the continuation lines of a line. A line that is indented less is not a continuation.
+/// Appends the continuation lines of `line`. A line that is indented less than `line` is not a continuation.
 void Lines::continue_line(Line& line, bool in_string) {
     while (in_string || (!line.words.empty() && continues_line(line.words.back()))) {
         std::vector<Word> directive, words;

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",  "B
                                                              "FROM",  "IS",   "MINUS",  "NOT",    "OR",    "PLUS",
                                                              "REM",   "SIZE", "TIMES",  "RETYPES"};
 
-/// Lists the symbols. Each symbol comes before all shorter symbols with which it begins.
+/// Lists the symbols. Longer symbols come first: `:=` before `:`, so that `:=` is not read as two symbols.
 constexpr std::array<std::string_view, 33> symbols = {
     ":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+", "-", "*", "/", "\\", "=", "<",
     ">",  "~",  "(",  ")",  "[",  "]",  ",",  ";",  ":",   "?",   "!", "&", "|", "@", "{",  "}"};
@@ -107,7 +107,7 @@ bool WordScanner::scan_rest(std::vector<Word>& words) {
     }
 }
 
-/// Skips blanks, and counts the columns up to the next word for its indentation.
+/// Skips blanks. Counts the columns up to the next word, which are its indentation.
 void WordScanner::skip_blanks() {
     while (position_ < line_.size() &&
            (at(position_) == ' ' || at(position_) == '\t' || at(position_) == '\f' || at(position_) == '\v'))
