@@ -136,8 +136,8 @@ struct ParsedNetlist::Syntax {
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again from a configuration in another language, because an option may
-    /// set a val of the configuration.
+    /// Returns whether the netlist must be made again from a configuration in another language: this is necessary if
+    /// there are options, since an option may set a val of the configuration.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }
@@ -226,7 +226,7 @@ ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& over
     try {
         result.network = syntax_->network(catalogue, overrides, reporter, result.declared);
     } catch (const GiveUp&) {
-        // the reporter gave up; its last diagnostic says why
+        // the reporter gave up; its last diagnostic states the reason
     }
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();

@@ -39,8 +39,8 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
                                  process.name, *left_out));
 }
 
-/// Returns where the netlist gives the parameter or connects the port at fault; otherwise where it declares the
-/// process.
+/// Returns the place where the netlist gives the parameter, or connects the port, that the complaint is about. If there
+/// is no such place, returns the place where the process is declared.
 Location place_of(const Completion& c, const Complaint& complaint) {
     const auto& process = c.network.processes[complaint.process];
     if (auto given = process.given.find(complaint.about); given != process.given.end())
@@ -90,7 +90,7 @@ void check_tolerance(Completion& c) {
             "PlacedPar chooses routes by routecost and linkquota; place states the route of a channel");
 }
 
-/// Returns for each node how many channels in packets begin, end or pass there.
+/// Returns for each node how many of the channels that are sent in packets begin, end or pass there.
 std::vector<std::int64_t> channels_in_packets(const Network& network) {
     std::vector<std::int64_t> counts(network.nodes.size(), 0);
     for (const NetworkChannel& channel : network.channels) {

@@ -92,8 +92,8 @@ void refuse_left_out(Completion& c, const DraftProcess& process, const PortDescr
                      {used_here(c, process)});
 }
 
-/// Checks the netlist's interface against the kind: the kind must have each entry, and the interface must have each
-/// port that the kind requires.
+/// Checks the interface in the netlist against the kind. The kind must have each entry of the interface, and the
+/// interface must have each port that the kind requires.
 void check_interface(Completion& c, const DraftProcess& process, const ProcessKind& kind) {
     const auto& interface = *process.interface;
     for (const auto& port : interface.ports)

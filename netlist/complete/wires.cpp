@@ -23,7 +23,7 @@ std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWir
     return places;
 }
 
-/// Returns the wire at each link.
+/// Returns the index of the wire at each link.
 std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     std::map<Socket, std::size_t> places;
     for (std::size_t i = 0; i < wires.size(); ++i)
@@ -104,7 +104,7 @@ private:
     }
 
     /// Extends the connection through the switch at its far end and along the next wire. Returns false if there is no
-    /// next wire (reported), or if the connection already has this wire.
+    /// next wire, which is reported, or if this wire is already part of the connection.
     bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
         auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
@@ -187,8 +187,8 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states a different
-    /// speed from a preceding piece.
+    /// Adds the attributes of one piece of the wire. If the piece states another speed than a preceding piece, reports
+    /// an error, and returns false.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {

@@ -71,8 +71,8 @@ std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     return members;
 }
 
-/// Lists the names of the elements. Elements with equal lists of members form a group. An array is listed by its base
-/// name.
+/// Returns a text with the names of the elements. Elements with equal lists of members form a group, which is followed
+/// by these members. An array is listed by its base name.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, and names of the elements
     for (const Settable& each : elements) {

@@ -76,8 +76,8 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Returns false if the chip can replace a module's usual chip. Modules were sold with other transputers of the same
-/// word length: a B403_T414 is a B403 with a T414.
+/// Returns whether the chip has another word length than the usual chip of a module. A chip can replace the usual chip
+/// only if the word lengths are equal: modules were sold with such chips, such as the B403_T414, a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
 }
@@ -183,7 +183,7 @@ std::string what_it_cannot_address(const Node& node) {
                        node.type);
 }
 
-/// Makes a transputer that runs processes, or one that executes its own code.
+/// Makes a transputer that runs simulated processes, or a transputer that executes its own code.
 std::unique_ptr<MachineNode> make_transputer(MachineParts& parts, std::size_t node) {
     if (parts.network.nodes[node].runs_own_code)
         return std::make_unique<BootedNode>(parts, node);

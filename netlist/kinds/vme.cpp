@@ -42,8 +42,8 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
-/// Returns why no master can hog the bus: the arbiter lacks the fault's level, or no slot is free. Returns "" if one
-/// can.
+/// Returns the reason why the fault `hogged` is impossible: the arbiter lacks the level of the fault, or no slot is
+/// free. Returns "" if the fault is possible.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,
@@ -55,7 +55,7 @@ std::string why_not_hogged(const Network& network, const Fault& hog) {
     return "";
 }
 
-/// Returns the names of the tracks: the bus, its masters, then the masters that faults add.
+/// Returns the names of the tracks in a trace: the bus, its masters, then the masters that faults add.
 std::vector<std::string> bus_tracks(const Network& network, std::size_t node) {
     const std::string& bus = network.nodes[node].name;
     std::vector<std::string> names{bus};

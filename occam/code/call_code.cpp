@@ -242,8 +242,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(
-            low); // the first three words may have needed new temporaries, which must not be in these words
+        frame_->need_low(low); // also for temporaries that the first three words have needed
     call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);

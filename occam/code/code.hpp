@@ -18,12 +18,11 @@ ErrorMode error_mode(std::string_view name);
 struct CodeOptions {
     transputer::Model model{};
     ErrorMode mode = ErrorMode::halt;
-    bool range_checks = true; ///< check subscripts, segments, conversions and counts at run time
-    bool run_time_checks =
-        true; ///< check for errors at run time, such as an overflow; if false, there are no range checks either
-    bool vector_space = true; ///< place arrays outside of the workspace
-    bool ends_run = true;     ///< a main procedure without channels tells the host at its end
-    bool awaits_high = true;  ///< a PRI PAR of the main procedure waits for its component of high priority
+    bool range_checks = true;    ///< check subscripts, segments, conversions and counts at run time
+    bool run_time_checks = true; ///< check for errors such as overflow; false: no range checks either
+    bool vector_space = true;    ///< place arrays outside of the workspace
+    bool ends_run = true;        ///< a main procedure without channels tells the host at its end
+    bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
 /// States the place in a file from which the code at an offset was made.
