@@ -23,7 +23,8 @@ struct Declared {
 struct ReadResult {
     std::optional<Network> network;      ///< set if and only if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
-    std::string not_shown = ""; ///< a line with the number of errors that are not in `diagnostics`; "" if all are there
+    std::string not_shown =
+        ""; ///< a line with the number of errors that are not in `diagnostics`; "" if there are none
     Declared declared = {};
 };
 

@@ -61,9 +61,9 @@ private:
     /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
     /// `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// A hub is an end of many routes for which the least costs from all nodes are stored. If one of the two ends is a
-    /// hub, searches only among the nodes on routes of least cost (loads not counted). Returns false if neither end is
-    /// a hub.
+    /// A hub is a node at the end of many routes; the least costs of routes from all nodes to a hub are stored. If one
+    /// of the two ends is a hub, searches only among the nodes on routes of least cost (loads not counted). Returns
+    /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
     /// For each neighbour of `node`: if a route over `node` costs less than the neighbour's distance, lowers the

@@ -104,7 +104,7 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
         await_end();
 }
 
-/// If the user asked for it, counts the instructions, or lets the user execute them one by one.
+/// If the user has requested this, makes the node count its instructions, or lets the user execute them one by one.
 void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());

@@ -80,9 +80,9 @@ struct SwitchCrossing {
     int from_link = 0, to_link = 0;
 };
 
-/// A number that stands for the bus end of a device in place of a link number, in the ends of ways over a bus.
+/// In LinkEnd::link, this number stands for the bus end of a device, at which a way over the bus ends.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
-/// A number that stands for the link `config`, by which a switch is set during the run, in place of a link number.
+/// In LinkEnd::link, this number stands for the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
 /// Describes a device in a slot of a bus.

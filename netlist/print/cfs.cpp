@@ -345,7 +345,7 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
-        std::size_t line_begin = 0; // offset; lines are broken, since a line of a source has a greatest length
+        std::size_t line_begin = 0; // offset of the present line; lines that are too long could not be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;

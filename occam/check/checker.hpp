@@ -96,8 +96,8 @@ private:
     using DeclarationList = std::vector<DeclarationBox>;
 
     // Names (names.cpp)
-    /// Returns whether this mistake in the use of a declaration has not been made before. A repeated mistake is not
-    /// reported, since it probably has the same cause.
+    /// Returns whether this is the first mistake of this kind in the use of a declaration. Later mistakes of the same
+    /// kind are not reported, since they probably have the same cause.
     bool is_first(const Declaration*, std::string mistake);
     void report_unknown(const std::string& name, const Place&);
     /// Checks the declarations in order, and makes them visible. The caller must hide them with names_.leave.

@@ -180,7 +180,7 @@ Folded fold(Operator operation, Basic basic, std::int64_t operand) {
     case Operator::minus_modulo: return {wrapped(basic, 0 - static_cast<std::uint64_t>(operand))};
     default: break;
     }
-    if (is_real(basic)) // as the code of a program does: it subtracts x from zero
+    if (is_real(basic)) // the code of a program also subtracts the operand from zero
         return fold(Operator::subtract, basic, 0, operand);
     return operand == most_negative(basic) ? overflow : Folded{-operand};
 }

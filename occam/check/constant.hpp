@@ -10,7 +10,8 @@
 namespace placedpar::occam {
 
 /// Holds the value of an operation on constants, or the reason why the operation would set the error flag of a
-/// transputer. All functions below hold scalars in the form of Constant::bits.
+/// transputer. The functions below take and return scalars in the form of
+/// Constant::bits.
 struct Folded {
     std::int64_t bits = 0;
     const char* error = nullptr; ///< a text such as "overflows"; null if there is a value

@@ -136,8 +136,8 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     return type;
 }
 
-/// Notes that the routine that is being checked changes a variable that is declared outside of the routine; an error if
-/// the routine is a function.
+/// Notes that the present routine changes a variable, unless the variable is declared inside of the routine. Reports an
+/// error if the routine is a function.
 void Checker::assigned(const Declaration* base, const Place& place, const std::string& through) {
     const auto depth = depths_.find(base);
     if (routines_.empty() || (depth != depths_.end() && depth->second >= routines_.size()))

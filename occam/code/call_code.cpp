@@ -242,7 +242,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(low); // also for temporaries that the first three words have needed
+        frame_->need_low(low); // again, since loading the words may have allocated temporaries
     call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);

@@ -21,7 +21,7 @@ struct CodeOptions {
     bool range_checks = true;    ///< check subscripts, segments, conversions and counts at run time
     bool run_time_checks = true; ///< check for errors such as overflow; false: no range checks either
     bool vector_space = true;    ///< place arrays outside of the workspace
-    bool ends_run = true;        ///< a main procedure without channels tells the host at its end
+    bool ends_run = true;        ///< at its end, a main procedure without channels tells the host to end the run
     bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
@@ -43,9 +43,9 @@ struct CodeError {
     std::string text;
 };
 
-/// Describes the words in which the workspace pointer of a process can be, including the procedures that it calls:
-/// `from` and all words after it, up to but without `until`. Words are counted from the first workspace pointer of the
-/// program, so most of these numbers are negative.
+/// Describes the words to which the workspace pointer of a process can point while the process, or a procedure that it
+/// calls, is executed: `from` and all words after it, up to but without `until`. Words are counted from the first
+/// workspace pointer of the program, so most of these numbers are negative.
 struct CodeWorkspace {
     /// The value of `outermost` for the process that starts the outermost components.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);

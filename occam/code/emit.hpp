@@ -22,7 +22,7 @@ struct CodeElement {
         words,      ///< operand: `value` times the words of the frame
         branch,     ///< operand: the distance to `to`
         difference, ///< operand: bytes from `from` to `to`, plus `value`
-        mark,       ///< the label `to`
+        mark,       ///< the place of the label `to`
         align,      ///< padding up to the next whole word
         data,       ///< `value` bytes
         line,       ///< the code for a place in the source begins

@@ -105,7 +105,7 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
 }
 
 /// Starts the component of high priority; the process itself continues as the component of low priority. The component
-/// that ends last continues after the PAR. If this is the component of high priority, it first goes over to low
+/// that ends last continues after the PAR. If this is the component of high priority, it first changes to low
 /// priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();

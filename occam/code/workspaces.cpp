@@ -48,7 +48,7 @@ void add_name(std::string& names, const std::string& name) {
 
 /// Collects the workspaces of all processes that a frame starts, directly or through other processes. If a frame has
 /// several PARs one after the other, their processes may use the same words. A workspace of such words has the names of
-/// all processes that use it.
+/// all processes that use these words.
 class Workspaces {
 public:
     Workspaces(const Frame& first, const std::string& name) {

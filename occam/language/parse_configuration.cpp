@@ -136,8 +136,8 @@ MapOnto Parser::parse_map() {
     return map;
 }
 
-/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. `node T8` is a node and its type, so it must not be
-/// read as a conversion, which a complete expression would be.
+/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. Reads the node as an operand, since a complete
+/// expression would take `node T8` as a conversion.
 Process Parser::parse_processor() {
     const Word head = take();
     Processor process;

@@ -12,7 +12,7 @@
 /// A wire that carries several channels in one direction is shared. At each end of a shared wire run the following
 /// processes, all at high priority:
 /// - For each channel that leaves, a process inputs a message and puts the channel's number into a queue. It inputs the
-///   next message after the far end has reported that the message was taken.
+///   next message only after the far end has reported that the previous message was taken.
 /// - One process outputs the messages in the queue, and reports that messages were taken at this end.
 /// - One process inputs the messages and reports from the far end. It never waits for a process of the user, so the
 ///   wire never stops.
