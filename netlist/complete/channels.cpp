@@ -218,12 +218,13 @@ private:
         }
         if (port == nullptr || port->has_byte_form)
             return true;
-        c_.reporter.error(placement.at,
-                          fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
-                                      "bytes, but the code that \"{}\" executes can send and receive only bytes",
-                                      process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
-                          "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
-                          "packets of the csp kinds can travel as bytes");
+        c_.reporter.error(
+            placement.at,
+            fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
+                        "bytes, but the code that \"{}\" executes can send and receive only bytes",
+                        process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
+            "these can travel as bytes: numbers and truth values, arrays and counted arrays of them, variants "
+            "of all these, and the packets of the csp kinds");
         return false;
     }
 

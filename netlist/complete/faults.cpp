@@ -55,10 +55,11 @@ bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     auto wire = c.connection_at.find({fault.node, fault.link});
     if (wire == c.connection_at.end()) {
         bool crosses = c.network.nodes[fault.node].kind->links == LinkRole::crosses;
-        c.reporter.error(draft.at, fmt::format("{} \"{}\"",
-                                               crosses ? "state the fault at an end of the wire, not at its switch"
-                                                       : "no wire leads to the link",
-                                               link_name(c.network.nodes, {fault.node, fault.link})));
+        c.reporter.error(draft.at,
+                         fmt::format("{} \"{}\"",
+                                     crosses ? "a fault is stated at an end of a wire, but this is a link of a switch:"
+                                             : "no wire leads to the link",
+                                     link_name(c.network.nodes, {fault.node, fault.link})));
         return false;
     }
     fault.connection = wire->second;

@@ -27,7 +27,7 @@ void refuse_repeated(const std::vector<Setting>& settings, Reporter& reporter) {
         auto [known, is_new] = first.emplace(setting.name, setting.at);
         if (is_new)
             continue;
-        reporter.error(setting.at, fmt::format("\"{}\" is given twice", setting.name), "",
+        reporter.error(setting.at, fmt::format("two values are given for \"{}\"", setting.name), "",
                        {first_given(known->second)});
         throw StatementRefused{};
     }

@@ -93,7 +93,7 @@ Type Elaborator::base_type(const std::string& name, const Location& at, std::vec
 Type Elaborator::type_of_element(const Location& at, std::vector<Setting>& settings) {
     auto found = std::ranges::find(settings, "element", &Setting::name);
     if (found == settings.end())
-        refuse(at, "the element of the node is missing",
+        refuse(at, "the attribute \"element\" of this node is missing",
                "write node (element = \"processor\") or node (element = \"process\")");
     AttributeValue value(*found, reporter_);
     auto element = value.text();

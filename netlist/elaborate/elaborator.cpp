@@ -68,7 +68,7 @@ std::int64_t Elaborator::behind_count(std::int64_t first, const Expression& expr
         refuse(expression.at, fmt::format("a replicator cannot count {} times", count),
                "expected a count of 0 or more");
     if (__builtin_add_overflow(first, count, &end))
-        refuse(expression.at, fmt::format("{} + {} is beyond 64 bits", first, count));
+        refuse(expression.at, fmt::format("{} + {} does not fit in 64 bits", first, count));
     return end;
 }
 

@@ -112,8 +112,8 @@ std::vector<AttributeDescription> core_attributes() {
 DeviceKind core() {
     return {.name = std::string(kind_of_cores),
             .noun = "a core",
-            .about = "A core of a computer that runs a thread of a native run: processes run in turn, whatever their "
-                     "priority, and a thread without work sleeps.",
+            .about = "A core that runs one thread of a native run: its processes run in turn, whatever their priority, "
+                     "and the thread sleeps while it has no work.",
             .models = {{.name = "core"}},
             .attributes = core_attributes(),
             .executes = Execution::in_time,

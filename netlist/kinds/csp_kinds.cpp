@@ -212,7 +212,7 @@ ProcessKind consumer_kind() {
             .parameters = {packet_count(), packet_cycles(), packet_words()},
             .measurements = {{"time", "ms", "time from the start of the run to the last packet"},
                              {"last_number", "", "the number of the last packet"},
-                             {"time_per_packet", "us", "mean"},
+                             {"time_per_packet", "us", "mean time for a packet"},
                              {"rate", "Kbyte/s", "rate of the packets' bytes; 1 Kbyte is 1000 bytes"}},
             .body = consume,
             .is_determinate = always,

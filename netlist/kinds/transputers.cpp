@@ -110,8 +110,8 @@ std::vector<AttributeDescription> attributes_of_booted_programs() {
              .json_name = "host_time_ns"},
             {.value = description::integer(
                  "wraps", {.by_default = 0, .least = 0, .most = 1},
-                 "1: addresses outside the memory are taken modulo the memory's size, as on boards; 0: if the booted "
-                 "program uses such an address, other than by lb, sb, ldnl or stnl, the processor stops"),
+                 "1: addresses outside the memory are taken modulo the memory's size, as on boards; 0: the processor "
+                 "stops if the booted program uses such an address, except in the instructions lb, sb, ldnl and stnl"),
              .json_name = "memory_wraps"}};
 }
 
@@ -123,8 +123,8 @@ std::vector<AttributeDescription> transputer_attributes() {
     attributes.push_back(
         {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
                                        "cycles of an access to a word of external memory, which holds the messages and "
-                                       "all code and data that are not on the chip; 0: chosen by the type: 2 for a T2 "
-                                       "or T801, otherwise 3; 1 if `memory` fits into the chip's 4K"),
+                                       "all code and data that are not on the chip; 0 stands for 2 cycles for a T2 or "
+                                       "T801, 3 cycles for other types, and 1 cycle if `memory` fits in the chip's 4K"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",
@@ -132,8 +132,8 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::Processor::usual_switching),
                                         .least = 0,
                                         .most = 1000},
-                                       "cycles to switch from one process to the next, besides the instruction "
-                                       "that gives the processor up"),
+                                       "cycles to switch from one process to the next, besides the cycles of the "
+                                       "instruction by which the process gives up the processor"),
          .json_name = "switching_cycles"});
     std::ranges::move(attributes_of_booted_programs(), std::back_inserter(attributes));
     attributes.push_back(
@@ -157,7 +157,7 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::RouterCosts{}.handling),
                                         .least = 0,
                                         .most = 1e9},
-                                       "cycles to send or receive a packet, besides the instruction"),
+                                       "cycles to send or receive a packet, besides the cycles of the instruction"),
          .json_name = "router_cycles"});
     return attributes;
 }

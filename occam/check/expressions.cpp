@@ -124,7 +124,7 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     const Declaration* const root = root_of(expression);
     if (!root || !is_data(*type)) {
         report(expression.at, (root ? name_of(*type) : std::string("a value")) + " cannot be " + action,
-               "name a variable");
+               "write the name of a variable");
         return expression.type = mistaken();
     }
     const std::string reason = reason_not_writable(*root);

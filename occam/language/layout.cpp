@@ -48,11 +48,12 @@ std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
 }
 
 void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Word& head) {
-    reading_.reporter.error(at(first),
-                            fmt::format("wrong indentation: the line begins with {}, but {} are expected",
-                                        counted(first.indentation, "blank"), wanted),
-                            fmt::format("lines below \"{}\" are indented two blanks further than its line", head.text),
-                            {{fmt::format("the \"{}\" is here", head.text), at(head)}});
+    reading_.reporter.error(
+        at(first),
+        fmt::format("wrong indentation: the line begins with {}, but {} are expected",
+                    counted(first.indentation, "blank"), wanted),
+        fmt::format("indent the lines below \"{0}\" by two blanks more than the line of \"{0}\"", head.text),
+        {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
 
 /// Reads the block below the line of `head`, which has ended. The lines of the block are indented two blanks further.

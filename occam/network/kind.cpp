@@ -129,7 +129,7 @@ private:
             return refuse(parameter,
                           fmt::format("PROC {} does not use its channel \"{}\", so its direction is unknown",
                                       procedure_.name, parameter.name),
-                          fmt::format("write {0}? or {0}!", parameter.name));
+                          fmt::format("declare it as {0}? for input, or {0}! for output", parameter.name));
         const ProtocolType& protocol = protocol_of(*parameter.type);
         const bool is_input = direction == Direction::input;
         PortDescription port{.name = netlist_name(parameter.name),
