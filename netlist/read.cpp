@@ -56,7 +56,8 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// Returns a hint for a file for transputers that is given as a netlist; "" if the text does not look like such a file.
+/// Returns a hint for the case that a file with code for transputers was given as a netlist; "" if the text does not
+/// look like such a file.
 std::string hint_for(const std::string& text) {
     const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
     if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)
@@ -95,7 +96,7 @@ Declared declared_in(const Draft& draft) {
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 
-/// Sorts by file, in the order in which the files first appear among the diagnostics, then by line and column.
+/// Sorts the diagnostics by file, then by line and column. Files keep the order in which they first appear.
 void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     std::vector<const SourceFile*> files;
     auto rank = [&](const Location& location) {

@@ -22,7 +22,7 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
-/// The messages that one thread or rank of a native run has sent to another one.
+/// Counts the messages that one thread or rank of a native run has sent to another thread or rank.
 struct MessagesBetween {
     std::string from, to; ///< "thread 0", "thread 1"
     std::uint64_t messages;

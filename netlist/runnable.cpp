@@ -35,7 +35,7 @@ MissingByName unknown_programs(const Network& network, const Catalogue& catalogu
     return programs;
 }
 
-/// Returns the channels that lead to edges without a process, by the name of the edge.
+/// Returns the channels that lead to edges without a process; key: name of the edge.
 MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)
@@ -46,7 +46,7 @@ MissingByName deserted_edges(const Network& network) {
     return edges;
 }
 
-/// Lists the first six names, and the number of the others.
+/// Returns a text with the first six names, and the number of the other names.
 std::string listed(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     auto more = names.size() - std::min(names.size(), most);

@@ -96,8 +96,8 @@ void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, N
     }
 }
 
-/// Marks the processors that execute the code of a booted processor: all processors without processes that can be
-/// reached from it over links. They are booted over their links.
+/// Marks the processors that execute the code of a booted processor: all processors without processes to which wires
+/// lead from the booted processor, directly or through other such processors. They are booted over their links.
 void reach(Completion& c, std::size_t from) {
     std::vector<std::size_t> reached{from};
     c.network.nodes[from].runs_own_code = true;

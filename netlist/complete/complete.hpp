@@ -62,7 +62,7 @@ void check_switched(Completion& completion);
 void complete_faults(Completion& completion);
 /// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
-/// booted.cpp: checks that the node can execute code. `reason` has notes that say why it must.
+/// booted.cpp: checks that the node can execute code. `reason` has notes that tell why the node must execute code.
 void check_executes(Completion& completion, const Node& node, const std::vector<SecondPlace>& reason);
 /// images.cpp: marks the nodes with processes in occam, and checks these nodes. Called by complete_booted().
 void mark_code_nodes(Completion& completion);

@@ -241,7 +241,7 @@ private:
     std::map<Socket, std::size_t> wire_at_;
     std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
     std::set<std::size_t> noted_; ///< pieces that are already in the network
-    std::size_t ways_ = 0;        ///< paths tried through crosspoints that a program sets; at most most_ways
+    std::size_t ways_ = 0;        ///< number of paths tried through crosspoints that a program sets; at most most_ways
 };
 
 bool is_computer(const Node& node) { return node.kind->executes != Execution::none; }

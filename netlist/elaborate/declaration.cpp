@@ -16,7 +16,8 @@ void Elaborator::check_free(const std::string& name, const Location& at) {
                {{fmt::format("first declared here, as {}", describe(*known)), known->declared}});
 }
 
-/// Makes the name unique within the network: a replicated block declares the same name several times.
+/// Returns the name, with a number appended if the network already has this name: a replicated block declares the same
+/// name several times.
 std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];

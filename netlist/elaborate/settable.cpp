@@ -55,7 +55,8 @@ Members members_of(const ProcessKind* kind, const Interface* interface) {
     return members;
 }
 
-/// Returns the members of each connection, which depend on whether it wires links or puts a master on a bus.
+/// Returns the members of each connection. They depend on whether the connection joins links or attaches a master to a
+/// bus.
 std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     const Members all = members_of(connection_attributes());
     const auto of_none = std::make_shared<const Members>(),

@@ -14,7 +14,7 @@ void add_csp_kinds(Catalogue&);
 /// fails.
 ProcessKind sender_or_fail_kind();
 ProcessKind receiver_or_fail_kind();
-/// switch_kinds.cpp: the logic of a C004, and a process that sets the switch.
+/// switch_kinds.cpp: a process that is the logic of a C004, and a process that sets this switch.
 ProcessKind switch_logic_kind();
 ProcessKind switch_setter_kind();
 

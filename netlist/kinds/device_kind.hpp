@@ -119,8 +119,8 @@ struct DeviceKind {
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes that only icconf uses: read and printed, but without effect
     Execution executes = Execution::none; ///< if not `none`, the nodes must be connected to other nodes
-    /// For a switch that is set during the run, the kind of the process that executes the commands from the switch's
-    /// link `config`. Only one process, of this kind, can be placed on the switch.
+    /// Names, for a switch that is set during the run, the kind of the process that executes the commands from the
+    /// switch's link `config`; "" for any other device. Only one process, of this kind, can be placed on the switch.
     std::string logic = "";
     bool passes_channels_on = false; ///< channels between other nodes may lead through the device; the kind then has
                                      ///< the attributes "routecost" and "linkquota"

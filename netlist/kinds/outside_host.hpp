@@ -19,7 +19,7 @@ class OfferedBoard; // iserver/offered_board.hpp
 /// differ from run to run.
 class OutsideHost final : public transputer::ByteEnd {
 public:
-    /// The simulated time between two checks for bytes from the program.
+    /// The host checks for bytes from the program at intervals of this simulated time.
     static constexpr Time looks_every = std::chrono::microseconds{100};
 
     /// REQUIRES: a program has connected to the board, which outlives the run.

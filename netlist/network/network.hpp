@@ -57,8 +57,8 @@ struct Node {
     std::shared_ptr<const transputer::CodeLines> code_lines =
         nullptr;                ///< contents of NAME.lines beside the file; null if there is none
     bool runs_own_code = false; ///< the node is emulated: it executes the bytes that boot it, or its image
-    /// The program in the node's memory when the run begins. It contains all processes in occam on the node, and
-    /// processes that pass on messages between such processes. Null if the node needs no such program.
+    /// Holds the program that is in the node's memory when the run begins. It contains all processes in occam on the
+    /// node, and processes that pass on messages between such processes. Null if the node needs no such program.
     std::shared_ptr<const transputer::Image> image = nullptr;
     std::optional<std::size_t> rank = {}; ///< thread or MPI rank of its processes in a native run; empty: not stated
 
@@ -191,8 +191,8 @@ struct ChannelPlacement {
     std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops pass through the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
-    /// Index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of the
-    /// broadcast. nowhere: the channel is not broadcast.
+    /// Holds the index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of
+    /// the broadcast. nowhere: the channel is not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;

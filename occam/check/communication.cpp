@@ -41,7 +41,7 @@ const Type* Checker::channel(Expression& expression, const char* action) {
 
 void Checker::mark_direction(const Declaration& declaration, Direction direction, const Place& place) {
     // The checker may change the tree. A NameUse refers to a const declaration only because other code must not change
-    // it.
+    // the declaration.
     auto& own = const_cast<Declaration&>(declaration);
     const bool is_directed = own.direction != Direction::unused;
     const auto* abbreviation = std::get_if<Abbreviation>(&own.form);

@@ -10,7 +10,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The number of elements that we assume for an array of unknown size.
+/// We assume that an array of unknown size has this number of elements.
 constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
 constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< limit for sums and products of subscripts
 constexpr std::size_t most_comparisons = 65536;

@@ -47,13 +47,13 @@ struct CodeError {
 /// calls, is executed: `from` and all words after it, up to but without `until`. Words are counted from the first
 /// workspace pointer of the program, so most of these numbers are negative.
 struct CodeWorkspace {
-    /// The value of `outermost` for the process that starts the outermost components.
+    /// `outermost` has this value for the process that starts the outermost components.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
 
     std::int64_t from = 0, until = 0;
-    /// A name such as "phil[2]", or the process's place in the source. If several processes have the same name, the
-    /// place is added to the name. If processes use the same words one after the other, the workspace has the names of
-    /// all: "reader or writer".
+    /// Holds a name such as "phil[2]", or the process's place in the source. If several processes have the same name,
+    /// the place is added to the name. If processes use the same words one after the other, the workspace has the names
+    /// of all: "reader or writer".
     std::string name;
     std::string inner = {}; ///< name within the outermost component, "fork[1]" if `name` is "ring/fork[1]"; "" for the
                             ///< outermost component itself

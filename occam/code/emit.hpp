@@ -41,7 +41,7 @@ struct CodeElement {
 
 using CodeBuffer = std::vector<CodeElement>;
 
-/// The label of the first word after code and constants.
+/// This label is at the first word after code and constants.
 inline constexpr Label end_of_code = 0;
 
 /// Collects code in buffers, and converts it to bytes.

@@ -335,7 +335,7 @@ void Generator::condition(const Expression& e, Label if_false) {
 
 void Generator::push(const std::vector<const Expression*>& values) {
     std::vector<std::optional<Cell>> saved(values.size());
-    bool earlier = false; // a later value needs all registers
+    bool earlier = false; // true if a later value has been evaluated already
     for (std::size_t i = values.size(); i-- > 0;) {
         const int depth = depth_of(*values[i]);
         if (depth + static_cast<int>(i) > registers() || (earlier && depth > 1)) {

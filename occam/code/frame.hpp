@@ -80,11 +80,11 @@ struct Frame {
     std::size_t starters() const { return parallels.size() + replications.size() + calls.size(); }
 };
 
-/// Number of words that the scheduler uses below the workspace pointer of a process.
+/// The scheduler uses this number of words below the workspace pointer of a process.
 inline constexpr int words_of_scheduler = 3;
-/// Number of words that the instruction `call` takes.
+/// The instruction `call` takes this number of words below the workspace pointer.
 inline constexpr int words_of_call = 4;
-/// Number of words that an alternation uses below the workspace pointer: for its state, for its time, and as links of
+/// An alternation uses this number of words below the workspace pointer: for its state, for its time, and as links of
 /// the queues of the scheduler and of the timer.
 inline constexpr int words_of_alternation = 5;
 

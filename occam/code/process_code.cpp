@@ -343,7 +343,7 @@ void Generator::repetition(const While& w) {
 
 namespace {
 
-/// The size of an entry in a table of jumps. A jump with this number of bytes reaches 32 Kbyte in either direction.
+/// An entry in a table of jumps has this number of bytes. A jump of this length reaches 32 Kbyte in either direction.
 constexpr std::uint8_t bytes_of_jump = 4;
 
 } // namespace

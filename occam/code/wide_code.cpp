@@ -15,7 +15,7 @@ void Generator::load_part(const Wide& value, int part) {
         load(value.cell.after(part));
 }
 
-/// Returns the INT64 itself if it is a variable. Copies a constant to the workspace first.
+/// Returns an INT64 in the workspace: a variable itself, or a copy of a constant.
 Generator::Wide Generator::wide_variable(const Wide& value) {
     if (!value.constant)
         return value;

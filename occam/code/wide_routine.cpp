@@ -9,7 +9,7 @@ using transputer::Operation;
 
 namespace {
 
-/// Number of words that the routines need below the caller's workspace.
+/// The routines need this number of words below the caller's workspace.
 constexpr int words_of_routine = 20;
 
 /// Copies the operands at the addresses in words 13 and 14 to words 0 to 3, as magnitudes. Stores their signs in words

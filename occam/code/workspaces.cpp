@@ -58,7 +58,7 @@ public:
     std::vector<CodeWorkspace> take() { return std::move(found_); }
 
 private:
-    /// Holds the parts of the names of processes.
+    /// Holds the parts from which the names of processes are composed.
     struct Naming {
         std::string before = {}, before_inner = {}, indices = {};
         bool is_outermost = true;

@@ -59,7 +59,7 @@ struct ChannelEnd {
 
 struct ChannelState {
     std::optional<ChannelEnd> output, input;
-    /// The links by which the channel leaves its sender and arrives at its receiver, if the configuration states them.
+    /// These are the links by which the channel leaves its sender and arrives at its receiver, if they are stated.
     /// For a channel on an arc to an edge, only one of them is set.
     std::optional<WireEnd> leaves, arrives;
     std::optional<Element> arc;

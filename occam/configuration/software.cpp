@@ -29,7 +29,7 @@ std::string full_type(const std::string& word) {
 
 } // namespace
 
-/// Returns the node that PROCESSOR names; nothing after reporting that there is none.
+/// Returns the node that PROCESSOR names. If there is none, reports an error, and returns nothing.
 std::optional<Element> Configurer::node_of(Processor& processor) {
     checker_.check(processor.number);
     if (processor.number.type->is(Basic::integer))
@@ -72,7 +72,8 @@ std::optional<Element> Configurer::numbered_node(Processor& processor) {
     return element;
 }
 
-/// Returns the kind of a procedure; null after reporting a parameter to which a netlist cannot give a value.
+/// Returns the kind of a procedure. If a netlist cannot give a value to one of its parameters, reports an error, and
+/// returns null.
 const ProcessKind* Configurer::kind_of_procedure(const Declaration& procedure) {
     if (const auto known = configured_.kinds.find(&procedure); known != configured_.kinds.end())
         return &known->second;

@@ -24,7 +24,7 @@ std::string type_in(const std::vector<std::uint8_t>& bytes) {
 
 } // namespace
 
-/// Returns an end of a connection; nothing after reporting an error in it.
+/// Returns an end of a connection. If the end has an error, reports the error, and returns nothing.
 std::optional<WireEnd> Configurer::end_of(ConnectionEnd& end) {
     checker_.check(end.path);
     const Type::Kind kind = innermost(*end.path.type).kind;

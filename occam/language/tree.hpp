@@ -376,7 +376,7 @@ struct Procedure {
     ProcessBox body;
     bool is_inline = false;
 };
-/// If the function is defined by `IS`, its body has neither declarations nor a process.
+/// Holds a FUNCTION. If the function is defined by `IS`, its body has neither declarations nor a process.
 struct Function {
     std::vector<std::shared_ptr<TypeText>> results;
     std::vector<DeclarationBox> parameters;
@@ -466,11 +466,11 @@ struct Program {
     std::vector<std::unique_ptr<Unit>> units;             ///< in an order in which each unit uses only earlier units
     std::vector<DeclarationBox> declarations;             ///< declarations of the main file
     std::vector<DeclarationBox> predefined;               ///< predefined names, which the checker adds
-    /// The routines of the library predef. The code calls them for predefined routines, and for operations on reals
-    /// that the processor has no instructions for.
+    /// Holds the routines of the library predef. The generated code calls these routines for predefined routines, and
+    /// for operations on reals for which the processor has no instructions.
     std::vector<DeclarationBox> routines;
     Types types;
-    /// True: a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
+    /// If true, a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
     /// PlacedPar uses them in the program that it writes to run all processes of a node.
     bool has_channel_tables = false;
     std::vector<ResolvedName> resolved; ///< checked: all names, except names in the parts of configurations

@@ -246,8 +246,8 @@ private:
         return std::nullopt;
     }
 
-    /// Reads a file, unless it was read before and neither it nor a file that it includes has changed since. Reports
-    /// warnings only when it reads the file. Returns null after reporting that the file cannot be read.
+    /// Reads a file. If the file was read before, and no file of the program has changed since, returns the earlier
+    /// result, and does not report its warnings again. Returns null after reporting that the file cannot be read.
     std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
                                                     Reporter& reporter) {
         std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
@@ -308,8 +308,8 @@ private:
         return {kind.path, kind.file->program.get(), kind.procedure};
     }
 
-    /// Turns off what the #OPTIONs in the files of the node's processes turn off. Returns the folders in which one of
-    /// these files looks for other files.
+    /// Turns off the checks and the vector space if an #OPTION in a file of the node's processes does so. Returns the
+    /// folders in which one of these files looks for other files.
     Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
         Folders folders;
         for (const ProcessInstance& process : network.processes)

@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// All ports of processes in occam have this C++ type as the type of their packets.
+/// Stands for the C++ type of the messages at all ports of processes in occam.
 struct BytesOfItems {};
 
 const Type& plain_type(const Type& type) { return type.kind == Type::Kind::derived ? plain_type(*type.element) : type; }
