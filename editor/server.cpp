@@ -39,7 +39,7 @@ json::object capabilities() {
             {"documentSymbolProvider", true}};
 }
 
-/// Returns the protocol's number for a kind of completion.
+/// Returns the number that the language server protocol gives to a kind of completion.
 int number_of(Completion::Kind kind) {
     switch (kind) {
     case Completion::Kind::keyword: return 14;
@@ -222,7 +222,7 @@ struct LanguageServer::State {
         document.version = version_opened;
         mark_changed(document);
         for (auto& [uri, other] : documents.all())
-            if (other.failed) // it may have failed because this file was missing
+            if (other.failed) // the check may have failed because this file was missing
                 check_again(other);
         return nullptr;
     }

@@ -56,8 +56,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// Returns a hint for the case that a file with code for transputers was given as a netlist; "" if the text does not
-/// look like such a file.
+/// Returns a hint if the text looks like a file with code for transputers, which is not a netlist; otherwise "".
 std::string hint_for(const std::string& text) {
     const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
     if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)

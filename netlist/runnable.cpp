@@ -72,7 +72,7 @@ std::string summary(std::size_t programs, std::size_t edges) {
     return programs == 0 ? deserted : edges == 0 ? unknown : unknown + ", and " + deserted;
 }
 
-/// Returns a hint: the options or statements that would remedy the first program and the first edge.
+/// Returns a hint: the options or statements that replace the first unknown program, and give the first edge a process.
 std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });

@@ -299,9 +299,9 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless an error that was reported may be the cause. Such an error is a refused
-    /// `connect` statement if some `connect` names the channel, or otherwise a `connect` that names a channel that the
-    /// process does not have.
+    /// Reports an unconnected channel, unless an earlier error may be the cause. If a `connect` names the channel, the
+    /// cause may be that a `connect` was refused. If none names it, the cause may be that a `connect` names another
+    /// channel, which the process does not have.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;

@@ -232,7 +232,8 @@ private:
                           "connect the two processors, or let a process in occam pass the messages on");
     }
 
-    /// Refuses channels from one node to another that share a direction of a wire. Reports each pair of nodes once.
+    /// Reports that too few wires lead from one node to another for the channels between them. Reports each pair of
+    /// nodes once.
     void refuse_shared(const NetworkChannel& channel) {
         const std::pair nodes(channel.from.node, channel.to.node);
         if (!refused_.insert(nodes).second)
@@ -247,7 +248,7 @@ private:
                     wires.push_back(link_name(n_.nodes, a));
         c_.reporter.error(
             channel.connected,
-            fmt::format("{} lead from \"{}\" to \"{}\", but only {} does; a direction of a wire carries one channel "
+            fmt::format("{} lead from \"{}\" to \"{}\", but over only {}; a direction of a wire carries one channel "
                         "between a process in occam and a process in C++",
                         counted(channels.size(), "channel"), n_.nodes[nodes.first].name, n_.nodes[nodes.second].name,
                         counted(wires.size(), "wire")),

@@ -68,7 +68,7 @@ private:
         extend(std::move(connection), {first});
     }
 
-    /// Extends the connection through switches until it ends at no switch, and adds it to the network.
+    /// Extends the connection through switches until its far end is not at a switch, and adds it to the network.
     void extend(LinkConnection connection, std::vector<std::size_t> pieces) {
         while (at_switch(connection.b)) {
             auto crosspoints = crosspoints_at_.find(socket(connection.b));

@@ -42,8 +42,8 @@ struct NoResult {
     std::string hint;
 };
 
-/// Apply an operator. Integers have 64 bits; an overflow has no result. If an operand is real, the result is real. The
-/// evaluator itself handles `&&` and `||`.
+/// These functions apply an operator. Integers have 64 bits; an overflow has no result. If an operand is real, the
+/// result is real. The evaluator itself handles `&&` and `||`.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
 /// Casts to a type. Values out of the range of `char`, `short` or `int` are refused; a real is truncated towards zero.

@@ -32,8 +32,9 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 /// Returns the bare chips with their internal memory. The M212 has two links for the network; two more links lead to
 /// its disk ports.
 ///
-/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
-/// generation that the T801, T400, T222 and T225 overlap acknowledges, and that the T212 and M212 do not.
+/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. For the other chips
+/// we assume the same as for chips of their generation: the T801, T400, T222 and T225 overlap acknowledges, and the
+/// T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -76,8 +77,8 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Returns whether the chip has another word length than the usual chip of a module. A chip can replace the usual chip
-/// only if the word lengths are equal: modules were sold with such chips, such as the B403_T414, a B403 with a T414.
+/// Returns whether the word lengths of the chip and of the usual chip of a module differ. Modules were also sold with
+/// other chips of the same word length: the B403_T414, for example, is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
 }

@@ -64,8 +64,8 @@ public:
         }
     }
 
-    /// Adds a master that the netlist does not declare. It requests the bus when the fault begins, and releases it when
-    /// the fault ends.
+    /// Adds a master that the netlist does not declare. The master requests the bus when the fault begins, and releases
+    /// the bus when the fault ends.
     FaultEffects suffer(const Fault& fault) override {
         hardware::VmePlace place{static_cast<int>(fault.integer("level")), free_slot(network(), index(), hogs_++)};
         auto& master = simulation().add<hardware::VmeMaster>(fmt::format("slot {}", place.slot), bus_, place);

@@ -100,8 +100,8 @@ private:
 
 } // namespace
 
-/// Returns whether a device can be attached to the bus. Reports a second master in a slot, because a bus grant passes
-/// each slot once, and a request level that the arbiter lacks.
+/// Returns whether a device can be attached to the bus. Reports a request level that the arbiter does not have. Also
+/// reports a second master in a slot, because a bus grant passes each slot once.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())

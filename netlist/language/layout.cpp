@@ -52,7 +52,7 @@ class Depths {
 public:
     Depths(const NetlistSyntax& syntax) : file_(syntax.file.get()) { walk(syntax.statements, 0); }
 
-    /// Returns the depth of the statement that begins at a place; nothing if none does.
+    /// Returns the depth of the statement that begins at a place; nothing if no statement begins there.
     std::optional<std::size_t> at(const Location& at) const {
         const auto found = depths_.find({at.line, at.column});
         return found == depths_.end() ? std::nullopt : std::optional(found->second);

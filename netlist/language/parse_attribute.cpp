@@ -84,7 +84,7 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
     return result;
 }
 
-/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters behind it
+/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters after it
 /// would cause misleading errors.
 Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();

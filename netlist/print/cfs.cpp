@@ -74,7 +74,7 @@ public:
         return std::exchange(text_, {});
     }
 
-    /// Returns the length of print_mapping() in bytes, without making the text of routes.
+    /// Returns the length of print_mapping()'s text in bytes, without making the text of routes.
     std::size_t mapping_bytes() {
         routes_ = Routes::counted;
         print_places();

@@ -102,7 +102,8 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
 
 /// Sends the host the request that ends a run with success, as so.exit does.
 void Generator::end_run() {
-    constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
+    constexpr std::array<std::uint8_t, 10> request = {8,    0,    35, 0xff, 0xc9,
+                                                      0x9a, 0x3b, 0,  0,    0}; // result 999999999: success
     address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});
     op(Operation::mint);
     constant(request.size());

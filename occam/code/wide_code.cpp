@@ -98,7 +98,7 @@ void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, cons
     wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
 }
 
-/// States what an error of the last instruction means: that this operation on two INT64 has failed.
+/// States what an error of the last instruction means: that this operation on two values of type INT64 has failed.
 void Generator::wide_fails(const Wide& a, const std::string& operation, const Wide& b) {
     const bool divides = operation == "/" || operation == "\\";
     std::string meaning = divides ? "" : "overflow: ";

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 /// Returns whether a file is a configuration, which describes processors and their programs. The file's name ends in
 /// .pgm, or it ends in .occ and the file has a PLACED PAR at its outermost level.
 bool is_configuration(const SourceFile&);
-/// Returns the same for the file at this path; false if the file cannot be read.
+/// Returns whether the file at this path is a configuration; false if the file cannot be read.
 bool is_configuration(const std::filesystem::path&);
 
 /// Makes a netlist from a configuration (docs/reference/occam.md). Returns no text if the file is not a configuration,

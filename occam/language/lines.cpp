@@ -129,7 +129,7 @@ void Lines::warn_of_tabs(const TextLine& line) {
                               "indent with blanks: two for each level");
 }
 
-/// Returns the word after the directive. If it is of another kind, reports an error and returns null.
+/// Returns the word after the directive. If there is no word of this kind, reports an error and returns null.
 const Word* Lines::argument(const std::vector<Word>& words, WordKind kind, std::string_view what) {
     if (words.size() >= 2 && words[1].kind == kind)
         return &words[1];

@@ -25,7 +25,8 @@ public:
     std::vector<DeclarationBox> parse_file();
 
 private:
-    /// Limits the depth of the tree, and therefore of the stack.
+    /// Counts a level of nesting while it exists. The constructor refuses a level that is too deep, so that the
+    /// recursive descent does not overflow the stack.
     struct Nesting {
         explicit Nesting(Parser&);
         ~Nesting() { --reading.depth; }

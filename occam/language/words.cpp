@@ -116,7 +116,7 @@ void WordScanner::skip_blanks() {
         blanks_ = at(counted_) == '\t' ? blanks_ / 8 * 8 + 8 : blanks_ + 1;
 }
 
-/// Returns whether the word is a string that continues in the next line.
+/// Returns whether the word is a string that continues on the next line.
 bool WordScanner::scan_word(std::vector<Word>& words) {
     Word& word = words.emplace_back();
     const std::size_t start = position_;
@@ -264,7 +264,7 @@ void WordScanner::take_escape(std::string& bytes, bool first_of_string) {
     }
 }
 
-/// Returns whether the string continues in the next line.
+/// Returns whether the string continues on the next line.
 bool WordScanner::take_string(Word& word) {
     while (position_ < line_.size()) {
         if (at(position_) == '"') {

@@ -14,8 +14,8 @@
 /// - For each channel that leaves, a process inputs a message and puts the channel's number into a queue. It inputs the
 ///   next message only after the far end has reported that the previous message was taken.
 /// - One process outputs the messages in the queue, and reports that messages were taken at this end.
-/// - One process inputs the messages and reports from the far end. It never waits for a process of the user, so the
-///   wire never stops.
+/// - One process inputs the messages and reports from the far end. It never waits for a process of the user, so no
+///   message on the wire waits for such a process.
 /// - For each channel that arrives, a process outputs the messages to the receiving process.
 ///
 /// Each channel has at most one message under way. The queue therefore has room for all of them, and no channel waits
