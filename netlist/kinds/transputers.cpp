@@ -142,11 +142,11 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "cost of routing a channel through this processor; the cheapest route is "
                                        "chosen"),
          .json_name = "route_cost"});
-    attributes.push_back({.value = description::integer(
-                              "linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
-                              "number of wired links, lowest first, that may carry through-routed channels; 0: "
-                              "none"),
-                          .json_name = "link_quota"});
+    attributes.push_back(
+        {.value = description::integer("linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
+                                       "number of wired links, lowest first, that channels through the processor may "
+                                       "use; 0: none"),
+         .json_name = "link_quota"});
     attributes.push_back(
         {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},
                                        "priority of the processes that send and receive packets: HIGH pre-empts "

@@ -31,7 +31,7 @@ std::vector<AttributeDescription> bus_attributes() {
                  "arbitration: PRI grants the highest requested level, RRS the levels in turn, SGL level 3 only"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
-            nanoseconds_of("cycle", usual.word, 1, "time of a word of 32 bits"),
+            nanoseconds_of("cycle", usual.word, 1, "time to transfer a word of 32 bits"),
             nanoseconds_of("bytecycle", usual.byte, 1, "time of an access to a register"),
             nanoseconds_of("grant", usual.arbitration, 0, "time from a request or a release to the grant"),
             nanoseconds_of("timeout", usual.time_out, 1,
