@@ -78,9 +78,9 @@ private:
     /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
     /// within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// A hop leaves its first node by a link of this node, and comes in at its second node by a link of that node. The
-    /// first function returns whether a route through the first node may use its link, the second function whether a
-    /// route through the second node may use its link.
+    /// A hop leads from a link of its first node to a link of its second node. may_leave() returns whether a route that
+    /// passes through the first node may use the link there; may_come_in() returns the same for the second node and its
+    /// link.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;

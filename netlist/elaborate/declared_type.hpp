@@ -10,7 +10,7 @@ namespace placedpar {
 
 /// These functions check values against the type that an interface declares for a parameter.
 
-/// Tells why a value does not fit, and in `hint` what would fit.
+/// States in `message` why a value does not fit, and in `hint` what would fit.
 struct Misfit {
     std::string message, hint;
 };

@@ -67,7 +67,7 @@ public:
     /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
     /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
-    /// Puts the channel on a wire. One of its ends is a process; at the other end, the node's own code sends or
+    /// Puts the channel on a wire. One end of the channel is a process; at the other end, the node's own code sends or
     /// receives the messages. REQUIRES: the node runs its own code; the channel leads over this hop (NetworkChannel).
     virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.

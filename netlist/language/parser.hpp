@@ -138,7 +138,7 @@ bool can_be_a_name(std::string_view text);
 /// Returns the word of `words` that differs from `word` in one or two letters, or only in capital letters; "" if there
 /// is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Returns the same for the words that begin a statement.
+/// Returns the word that probably was meant, among the words that begin a statement; "" if there is none.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar
