@@ -22,8 +22,8 @@ std::filesystem::path normal(const std::filesystem::path& path) {
     return std::filesystem::absolute(path).lexically_normal();
 }
 
-/// Notes the files that were read with a document. If the text has errors, reading may have stopped early, so the files
-/// noted before are kept.
+/// Stores the paths of the files that were read with a document. If the text has errors, reading may have stopped
+/// early, so the paths that were stored before are kept.
 void note_included(Document& document, const std::vector<std::string>& paths, bool failed) {
     if (!failed)
         document.included.clear();

@@ -15,9 +15,9 @@ namespace placedpar::editor {
 /// `netlist = ...` is not a study, and is not checked.
 std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
-/// Returns the syntax of a netlist. Reads the text only if the text has changed.
+/// Returns the syntax of a netlist. Reads the text again only if it has changed.
 const NetlistSyntax& syntax_of(Document&);
-/// Returns the checked program in occam. Checks the text only if the text has changed.
+/// Returns the checked program in occam. Checks the text again only if it has changed.
 const OccamCheck& program_of(Document&);
 
 /// Writes ranges in the format of the protocol. Computes the line lengths of each text only once. REQUIRES: the files

@@ -34,7 +34,7 @@ struct Document {
     std::string uri;
     std::filesystem::path path;
     Language language = Language::netlist;
-    NamesOf names = NamesOf::netlist; ///< language of the names in its diagnostics
+    NamesOf names = NamesOf::netlist; ///< language in which diagnostics of the text write names
     bool is_part = false;             ///< other files include this text, so only its syntax is checked
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
@@ -42,9 +42,10 @@ struct Document {
     std::set<std::filesystem::path> included = {}; ///< files that the text includes
     std::optional<NetlistSyntax> netlist = {};     ///< syntax of a netlist; nullopt: not read yet, or another language
     OccamResults occam = {};                       ///< empty for other languages
-    bool failed = false; ///< whether the last check has found an error, perhaps because a file was missing
+    bool failed = false; ///< whether the last check has found an error; a missing file may be the reason
 
-    /// Returns the place of a position. Throws RequestError if the position is after the end of the text.
+    /// Converts a position of the protocol to a place in the file. Throws RequestError if the position is after the end
+    /// of the text.
     Location location(Position) const;
     /// Discards the results. Call it when the text or an included file has changed.
     void forget();
@@ -53,8 +54,8 @@ struct Document {
 /// Holds the texts that an editor has open.
 class Documents {
 public:
-    /// Opens a text. The extension of the file name determines the language; if it does not, `language_id` does;
-    /// otherwise the text itself.
+    /// Opens a text. The extension of the file name determines the language. If it is unknown, `language_id` determines
+    /// the language; if this name is unknown, too, the text itself does.
     Document& open(const std::string& uri, const std::string& language_id, std::string text);
     /// Applies the member "contentChanges" of a notification. Throws RequestError, and leaves the text unchanged, if a
     /// place is not in the text.

@@ -39,7 +39,7 @@ json::object capabilities() {
             {"documentSymbolProvider", true}};
 }
 
-/// Returns the protocol's number for a kind of completion.
+/// Returns the number that the language server protocol gives to a kind of completion.
 int number_of(Completion::Kind kind) {
     switch (kind) {
     case Completion::Kind::keyword: return 14;
@@ -73,7 +73,7 @@ json::array edits_between(const std::string& before, const std::string& after) {
         std::mismatch(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(shorter), after.begin()).first -
         before.begin());
     first = first == 0 ? 0 : before.rfind('\n', first - 1) + 1;
-    std::size_t same = 0; // bytes at the ends
+    std::size_t same = 0; // number of equal bytes at the ends of both texts
     while (same < shorter - first && before[before.size() - 1 - same] == after[after.size() - 1 - same])
         ++same;
     while (same > 0 && before[before.size() - same - 1] != '\n')
@@ -222,7 +222,7 @@ struct LanguageServer::State {
         document.version = version_opened;
         mark_changed(document);
         for (auto& [uri, other] : documents.all())
-            if (other.failed) // the reason may be that this file was missing
+            if (other.failed) // the check may have failed because this file was missing
                 check_again(other);
         return nullptr;
     }
@@ -238,7 +238,7 @@ struct LanguageServer::State {
         return nullptr;
     }
 
-    /// Checks every text, since files that are not open may have changed on the disk too.
+    /// Checks every text, since files that are not open may also have changed on the disk.
     json::value saved(const json::object&) {
         for (auto& [uri, document] : documents.all())
             check_again(document);
@@ -366,7 +366,7 @@ struct LanguageServer::State {
         const json::value* const id = message.if_contains("id");
         const json::value* const method = message.if_contains("method");
         if (!method && id && (message.contains("result") || message.contains("error")))
-            return; // an answer; the server sends no requests
+            return; // ignores an answer, since the server has sent no request
         const json::value* const params = message.if_contains("params");
         const bool is_optional = method && method->is_string() && method->as_string().starts_with("$/");
         const auto fail = [&](ErrorCode code, const std::string& why) {
@@ -399,7 +399,7 @@ struct LanguageServer::State {
     Documents documents;
     std::set<std::string> to_check; ///< URIs of texts that have changed
     std::map<std::string, std::map<std::string, json::array>>
-        published; ///< by URI of the checked text, then by URI of the file
+        published; ///< diagnostics; keys: URI of the checked text, URI of the file
     bool initialized = false, shut_down = false, ended = false;
 };
 

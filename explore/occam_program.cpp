@@ -207,18 +207,15 @@ std::string hint_of_program(const std::string& hint) {
 MadeNetlist netlist_of_program(const std::string& path, const std::vector<std::filesystem::path>& folders,
                                const ProgramMachine& machine, const ValChoice& choose, Reporter& reporter,
                                const WarningSink& warn) {
+    const auto change = [&](occam::Program& program, occam::Declaration& each) {
+        occam::choose_val(program, each, choose, reporter);
+    };
+    const auto silent = [](const std::string&) {};
     MadeNetlist made;
-    made.translate_hint = hint_of_program;
-    if (choose) {
-        const auto change = [&](occam::Program& program, occam::Declaration& each) {
-            occam::choose_val(program, each, choose, reporter);
-        };
-        made.compiled[path] = compiled_program(
-            path, folders, machine, [](const std::string&) {}, change);
-    } else {
-        made.compiled[path] = compiled_program(path, folders, machine, warn, {});
-    }
     made.text = std::make_shared<const SourceFile>(path, netlist_around(path, machine));
+    made.compiled[path] = choose ? compiled_program(path, folders, machine, silent, change)
+                                 : compiled_program(path, folders, machine, warn, {});
+    made.translate_hint = hint_of_program;
     return made;
 }
 

@@ -29,7 +29,8 @@ std::string file_and_line(const Location& location) {
     return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
 }
 
-/// Returns the network's process with which the path begins, before any components; null if there is none.
+/// Returns the process that the first name of the path denotes; the other names denote components. Returns null if the
+/// network has no such process.
 const ProcessInstance* outermost(const Network& network, std::string_view path) {
     return find_named(network.processes, path.substr(0, path.find('/')));
 }

@@ -12,8 +12,8 @@ namespace placedpar {
 /// std::system_error is rethrown unchanged.
 [[noreturn]] void rethrow_with_process(const Failure&, const Network&, const Catalogue&);
 
-/// Adds the places where the netlist declares the stuck processes and channels. Also sorts the channels: first the
-/// channels of the netlist, in its order, then channels that a program made.
+/// Adds the places where the netlist declares the stuck processes and channels. Also sorts the channels: channels of
+/// the netlist come first, in the order of the netlist, then channels that a program made.
 void add_places(Deadlock&, const Network&);
 
 } // namespace placedpar

@@ -131,7 +131,7 @@ void Machine::carry(std::size_t index) {
     std::vector<hardware::Hop> hops;
     for (auto [connection, forth] : network_.channels[index].placement.route) {
         const auto& [carriers, router_link] = connections_[connection];
-        if (!router_link) // a channel without packets has a single hop
+        if (!router_link) // a channel that is not sent in packets has a single hop
             return channel.put_on(forth ? *carriers.from_a_to_b : *carriers.from_b_to_a);
         hops.push_back({*router_link, forth});
     }

@@ -24,15 +24,15 @@ public:
     /// Throws RefusedInput as require_runnable() does.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
-    /// Throws UserError if a process refuses its parameters or channels (the text names the process's place in the
-    /// netlist), or if the run would pass the end of virtual time.
+    /// Throws UserError if a process refuses its parameters or channels, or if the run would pass the end of virtual
+    /// time. The text of an error of a process has the place of the process in the netlist.
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
     /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
     /// been called; the RecordedRun is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
-    /// Shuffles the ready processes, including the processes of emulated transputers. REQUIRES: run() has not been
-    /// called. See Kernel::shuffle and transputer::Core::shuffle.
+    /// Makes the run take ready processes in a random order, including the processes of emulated transputers. REQUIRES:
+    /// run() has not been called. See Kernel::shuffle and transputer::Core::shuffle.
     void shuffle(std::uint64_t seed);
     /// REQUIRES: run() has not been called; the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
@@ -47,7 +47,7 @@ private:
         std::vector<const hardware::FaultEffect*> of_links; ///< effect on each link that the fault affects
         FaultEffects of_device = {};
     };
-    /// Calls a member function of the node's device.
+    /// Calls a member function of the node's device (ask_device in netlist/kinds/own_code.hpp).
     template <class Member, class... Arguments>
     auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
         return ask_device(network_.nodes[node], [&] {

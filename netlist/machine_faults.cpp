@@ -45,7 +45,8 @@ void Machine::strike_link(std::size_t connection, const hardware::LinkFault& fau
     effects_.back().of_links.push_back(&parts_.links[connection]->suffer(fault));
 }
 
-/// Applies a fault of a link. If switches connect the link during the run, the fault affects each of its connections.
+/// Applies a fault of a link. If switches connect the link to several partners during the run, the fault affects all
+/// these connections.
 void Machine::strike_links_at(const Fault& fault) {
     LinkEnd end{fault.node, fault.link};
     for (std::size_t i = 0; i < parts_.links.size(); ++i) {

@@ -56,7 +56,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// Returns a hint for a file for transputers that is given as a netlist; "" if the text does not look like such a file.
+/// Returns a hint if the text looks like a file with code for transputers, which is not a netlist; otherwise "".
 std::string hint_for(const std::string& text) {
     const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
     if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)
@@ -95,7 +95,7 @@ Declared declared_in(const Draft& draft) {
     return {static_cast<std::size_t>(std::ranges::count_if(draft.nodes, executes)), draft.processes.size()};
 }
 
-/// Sorts by file, in the order in which the files first appear among the diagnostics, then by line and column.
+/// Sorts the diagnostics by file, then by line and column. Files keep the order in which they first appear.
 void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     std::vector<const SourceFile*> files;
     auto rank = [&](const Location& location) {
@@ -137,8 +137,8 @@ struct ParsedNetlist::Syntax {
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again from a file in another language, because an option may set a val
-    /// of the file.
+    /// Returns whether the netlist must be made again from a file in another language: this is necessary if there are
+    /// options, since an option may set a val of the file.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }
@@ -228,7 +228,7 @@ ReadResult ParsedNetlist::read(const Catalogue& catalogue, const Overrides& over
     try {
         result.network = syntax_->network(catalogue, overrides, reporter, result.declared);
     } catch (const GiveUp&) {
-        // the reporter gave up; its last diagnostic says why
+        // the reporter gave up; its last diagnostic states the reason
     }
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();

@@ -23,7 +23,8 @@ struct Declared {
 struct ReadResult {
     std::optional<Network> network;      ///< set if and only if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
-    std::string not_shown = "";          ///< a line that says how many errors are not in `diagnostics`; "" if none
+    std::string not_shown =
+        ""; ///< a line with the number of errors that are not in `diagnostics`; "" if there are none
     Declared declared = {};
 };
 
@@ -33,7 +34,7 @@ std::string render(const ReadResult& result);
 /// Holds the options with which a netlist is read.
 struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
-        {};                               ///< folders searched for files that are not beside the including file
+        {}; ///< where included files are looked for that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
     ProgramKinds programs =
         {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
@@ -46,7 +47,7 @@ struct ReadOptions {
 class ParsedNetlist {
 public:
     /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text
-    /// are not thrown: each read() reports them.
+    /// are not thrown; instead, each call of read() reports them.
     explicit ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options = {});
     /// Parses a text that is not a file; its `#include` is relative to the working directory.
     static ParsedNetlist of_text(const std::string& text, const std::string& shown_path = "netlist",

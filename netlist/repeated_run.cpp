@@ -47,8 +47,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // a departure from the history, or an exception that a run on the machine might throw at another
-                    // time, or never
+    } catch (...) { // either the process has departed from its history, or the exception might be thrown at another
+                    // time, or never, in a run on the machine
         return std::nullopt;
     }
     if (course_.has_diverged)

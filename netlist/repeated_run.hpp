@@ -27,14 +27,14 @@ struct RecordedRun {
 
 /// Returns whether runs of the network can be repeated from histories. All processes must be determinate
 /// (ProcessKind::is_determinate). No channel may be broadcast on a bus, since the bus compares the messages of a
-/// broadcast. No channel may lead to a program in a transputer's own code. The machine may have no faults, since
-/// programs may see faults as exceptions.
+/// broadcast. No channel may lead to a transputer that executes its own code. The machine must not have faults, since
+/// processes may see faults as exceptions.
 bool is_determinate(const Network&, const Catalogue&);
 
 /// Repeats a recorded run with another seed without simulating the machine. The processes compute with the numbers of
 /// the new seed, and all times are taken from the recorded run. The run cannot be repeated if a process behaves
-/// differently, for example computes longer. REQUIRES: the network is determinate, and the recorded run is a run of
-/// this network. The network, the catalogue and the recorded run outlive this object.
+/// differently with the new seed, for example if it computes longer. REQUIRES: the network is determinate, and the
+/// recorded run is a run of this network. The network, the catalogue and the recorded run outlive this object.
 class RepeatedRun {
 public:
     RepeatedRun(const Network&, const Catalogue&, std::uint64_t seed, const RecordedRun&);

@@ -22,14 +22,14 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
-/// The messages that one thread or rank of a native run has sent to another one.
+/// Counts the messages that one thread or rank of a native run has sent to another thread or rank.
 struct MessagesBetween {
     std::string from, to; ///< "thread 0", "thread 1"
     std::uint64_t messages;
     std::uint64_t bytes; ///< the bytes that a link would carry for these messages
 };
 
-/// Compares the clock of a rank with rank 0's clock, before and after a recorded native run.
+/// Holds the result of comparing the clock of a rank with the clock of rank 0, before and after a recorded native run.
 struct RankClock {
     std::string name;               ///< "rank 1"
     std::chrono::nanoseconds ahead; ///< how far this clock was ahead of rank 0's clock before the run
@@ -39,14 +39,15 @@ struct RankClock {
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
 struct RunReport : MachineUse {
-    bool is_native = false; ///< the processes ran natively: times are those of the wall clock, there is no fingerprint,
-                            ///< and the processors are threads
+    bool is_native = false; ///< the processes ran natively: the times are read from the wall clock, there is no
+                            ///< fingerprint, and the processors are threads
     RunResult result;       ///< the fingerprint in `result` covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
-    std::vector<MessagesBetween> messages; ///< of a native run, without pairs that have sent none
+    std::vector<MessagesBetween> messages; ///< messages of a native run; pairs of threads without messages are left out
     std::vector<FaultUse> faults;
-    std::vector<RankClock> clocks; ///< clocks of a recorded run on ranks; its times are those of the clock of rank 0
+    std::vector<RankClock> clocks; ///< clocks of a recorded run on several ranks; the times of the report are read from
+                                   ///< the clock of rank 0
 
     /// Returns this time as a fraction of the run's length. Returns nothing if the run ended in a deadlock, since a
     /// deadlock lasts for ever.

@@ -35,7 +35,7 @@ MissingByName unknown_programs(const Network& network, const Catalogue& catalogu
     return programs;
 }
 
-/// Returns the channels that lead to edges without a process, by the name of the edge.
+/// Returns the channels that lead to edges without a process; key: name of the edge.
 MissingByName deserted_edges(const Network& network) {
     MissingByName edges;
     for (const NetworkChannel& channel : network.channels)
@@ -46,7 +46,7 @@ MissingByName deserted_edges(const Network& network) {
     return edges;
 }
 
-/// Lists the first six names, and the number of the others.
+/// Returns a text with the first six names, and the number of the other names.
 std::string listed(std::vector<std::string> names) {
     constexpr std::size_t most = 6;
     auto more = names.size() - std::min(names.size(), most);
@@ -72,7 +72,7 @@ std::string summary(std::size_t programs, std::size_t edges) {
     return programs == 0 ? deserted : edges == 0 ? unknown : unknown + ", and " + deserted;
 }
 
-/// Returns a hint: the options or statements that would remedy the first program and the first edge.
+/// Returns a hint: the options or statements that replace the first unknown program, and give the first edge a process.
 std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });

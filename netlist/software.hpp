@@ -16,8 +16,8 @@ namespace placedpar {
 /// Holds the processes of a network and their channels, independently of the machine on which the processes run.
 class Software {
 public:
-    /// Makes all channels, as soft channels. Throws RefusedInput as require_runnable() does. REQUIRES: network and
-    /// catalogue outlive this object.
+    /// Makes all channels; at first, each is a channel in the memory of one processor. Throws RefusedInput as
+    /// require_runnable() does. REQUIRES: network and catalogue outlive this object.
     Software(const Network&, const Catalogue&, std::uint64_t seed);
     Software(const Software&) = delete;
     Software& operator=(const Software&) = delete;
@@ -25,15 +25,15 @@ public:
     /// Returns the channel with this index in Network::channels.
     AnyChannel& channel(std::size_t index) const { return *channels_[index]; }
 
-    /// Makes all processes. `executives` holds an executive for each node, or null if processes there take no time.
-    /// REQUIRES: called once, and this object outlives the simulation's run.
+    /// Makes all processes. `executives` has an executive for each node, or null if the processes on the node take no
+    /// time. REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// Makes the processes of some nodes. `executive` executes them; if it is null, they take no time. REQUIRES: as for
-    /// start().
+    /// Makes the processes of the nodes that are true in `nodes`. `executive` executes the processes; if it is null,
+    /// they take no time. REQUIRES: as for start().
     void start_natively(Simulation&, const std::vector<bool>& nodes, Executive* executive = nullptr);
     /// Declares which processes use the ends of all channels. `all` holds the processes by their index in
-    /// Network::processes, including processes that another Software made; null for processes that are in another
-    /// program.
+    /// Network::processes, including processes that another Software object made; it has null for a process that runs
+    /// in another program.
     void expect_partners(const std::vector<Process*>& all);
     /// Returns the processes by their index in Network::processes; null for processes that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }

@@ -26,11 +26,11 @@ struct NetlistContext {
     Place place = Place::statement;
     std::string owner = "";     ///< the name or type before the dot or the parentheses
     std::string attribute = ""; ///< the attribute whose value is at this place
-    std::string fault = "";     ///< if set, the attributes belong to this fault of `owner`
-    std::string word = "";      ///< the word before a thing, such as "place"
+    std::string fault = "";     ///< if not "", the attributes belong to this fault of `owner`
+    std::string word = "";      ///< for Place::thing, the word before this place, such as "place"
 };
 
-/// Returns the context at the token of this index.
+/// Returns the context at the token with this index.
 NetlistContext context_of(const std::vector<Token>&, std::size_t index);
 
 /// Describes a thing whose members an editor can suggest.

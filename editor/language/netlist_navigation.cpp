@@ -116,8 +116,8 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
                                        const std::string& new_name) {
     const NetlistName* const name = syntax.name_at(at);
     if (!name)
-        throw UserError("the word at this place cannot be renamed: only names that the netlist declares can be, not "
-                        "ports, parameters or kinds");
+        throw UserError("the word at this place cannot be renamed: only names that the netlist declares can be "
+                        "renamed, but not ports, parameters or kinds");
     if (has_errors(syntax.diagnostics))
         throw UserError("the netlist has errors; correct the errors first, so that all places of the name are found");
     if (!can_be_a_name(new_name))

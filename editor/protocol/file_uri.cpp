@@ -28,7 +28,7 @@ std::optional<std::filesystem::path> path_of_uri(std::string_view uri) {
     constexpr std::string_view scheme = "file://";
     if (!uri.starts_with(scheme))
         return std::nullopt;
-    const auto slash = uri.find('/', scheme.size()); // a host may precede it
+    const auto slash = uri.find('/', scheme.size()); // a host may precede the slash
     if (slash == uri.npos)
         return std::nullopt;
     return std::filesystem::path(decoded(uri.substr(slash))).lexically_normal();

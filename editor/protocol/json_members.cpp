@@ -33,7 +33,7 @@ const json::array& array_in(const json::object& object, std::string_view name) {
 }
 
 std::string text_in(const json::object& object, std::string_view name) {
-    return std::string(member(object, name, &json::value::if_string, "a text"));
+    return std::string(member(object, name, &json::value::if_string, "a string"));
 }
 
 std::uint64_t number_in(const json::object& object, std::string_view name) {

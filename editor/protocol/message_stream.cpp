@@ -30,8 +30,8 @@ std::optional<std::size_t> length_in(const std::string& line) {
 
 } // namespace
 
-/// Returns the next line without its end, and only the last part of a very long line. Returns nothing at the end of the
-/// input.
+/// Returns the next line without its line end; for a very long line, only its last part. Returns nothing at the end of
+/// the input.
 std::optional<std::string> MessageStream::read_line() {
     constexpr std::size_t longest = 4096;
     std::string line;

@@ -23,8 +23,8 @@ public:
     /// REQUIRES: the streams outlive this object.
     MessageStream(std::istream& in, std::ostream& out) : in_(in), out_(out) {}
 
-    /// Returns the next message; nothing at the end of the input. Throws BadHeader; the next call then continues with
-    /// the next header.
+    /// Returns the next message; nothing at the end of the input. Throws BadHeader if the header does not state the
+    /// length; the next call then continues with the next header.
     std::optional<std::string> read();
     /// Returns whether more input has arrived already.
     bool has_more() const;

@@ -73,19 +73,16 @@ std::vector<double> PrintedRun::numbers() const {
 
 PrintedRun run_occam(const std::filesystem::path& path, const occam::CodeOptions& code, int memory_cycles,
                      const ReplayContext& context) {
-    const auto made = [&](const std::shared_ptr<const SourceFile>& file, const auto&...) {
-        MadeNetlist netlist;
-        netlist.text = std::make_shared<const SourceFile>(
-            file->path(), fmt::format("T800 (memory = 2M, memorycycles = {}) root;\nconnect root.link[0] to "
-                                      "host;\nuse \"{}\" for root;\n",
-                                      memory_cycles, path.filename().string()));
-        netlist.compiled[file->path()] = compiled_occam(path, code);
-        return netlist;
+    const std::string netlist = fmt::format("T800 (memory = 2M, memorycycles = {}) root;\nconnect root.link[0] to "
+                                            "host;\nuse \"{}\" for root;\n",
+                                            memory_cycles, path.filename().string());
+    const auto make = [&](const auto& file, auto&&...) {
+        return MadeNetlist{.text = std::make_shared<const SourceFile>(file->path(), netlist),
+                           .compiled = {{file->path(), compiled_occam(path, code)}}};
     };
     const ProblemRegistry problems = known_problems(context.seed);
-    return run_with_screen(
-        load_network(ParsedNetlist(path, {.make_netlist = made}), {}, known_kinds(problems), context.warn), problems,
-        context);
+    const ParsedNetlist parsed(path, {.make_netlist = make});
+    return run_with_screen(load_network(parsed, {}, known_kinds(problems), context.warn), problems, context);
 }
 
 PrintedRun run_printing(const std::filesystem::path& netlist, const Overrides& overrides,

@@ -69,7 +69,7 @@ void check_boot(Completion& c, std::size_t index) {
 }
 
 /// Returns the table of code and processes of the node's program. Reads the table from the file NAME.lines beside the
-/// bootable file, unless the program was compiled in this run. Returns null if there is no table.
+/// bootable file, unless this run of PlacedPar has compiled the program. Returns null if there is no table.
 std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted) {
     if (const auto known = c.compiled.find(booted.boot_file); known != c.compiled.end())
         return known->second.lines;
@@ -83,7 +83,7 @@ std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted
     return source.problems.empty() ? source.file : nullptr;
 }
 
-/// Reads the node's section of the table. `section`: the name of the node in the table.
+/// Reads the node's section of the table. `section` is the name of the node in the table.
 void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, Node& node, std::string_view section) {
     const auto model = transputer::model_named(node.type);
     if (!table || !model || node.code_lines)
@@ -96,8 +96,8 @@ void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, N
     }
 }
 
-/// Marks the processors that execute the code of a booted processor: all processors without processes that can be
-/// reached from it over links. They are booted over their links.
+/// Marks the processors that execute the code of a booted processor: all processors without processes to which wires
+/// lead from the booted processor, directly or through other such processors. They are booted over their links.
 void reach(Completion& c, std::size_t from) {
     std::vector<std::size_t> reached{from};
     c.network.nodes[from].runs_own_code = true;

@@ -152,7 +152,8 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// Reports a broadcast whose way carries another channel, too. If both channels are broadcast, reports only the second.
+/// Reports a broadcast whose way also carries another channel. If the other channel is broadcast, too, reports only the
+/// second of the two channels.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;

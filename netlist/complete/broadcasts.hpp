@@ -24,9 +24,9 @@ public:
     };
     std::optional<Placed> placed(const NetworkChannel&) const;
 
-    /// Returns the way over the bus, through an adapter, to the receiver's processor. If several ways lead there,
-    /// prefers the way with the fewest channels, then the way to the receiver's lowest link. Throws StatementRefused
-    /// after reporting an error.
+    /// Returns the way over the bus, through an adapter, to the receiver's processor. If several ways lead to this
+    /// processor, returns the way with the fewest channels; among these, the way to the processor's lowest link. Throws
+    /// StatementRefused after reporting an error.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
     /// Reports each broadcast whose way carries another channel. REQUIRES: all channels have carriers.
     void check() const;

@@ -51,10 +51,11 @@ private:
                             connection.name),
                 "a connection to a bus has the attributes level and release", connection);
         if (!master && (connection.level || connection.release))
-            return refuse(attachment.connected,
-                          fmt::format("\"{}\" never requests the bus, so its connection cannot have a {}",
-                                      c_.network.nodes[attachment.node].name, connection.level ? "level" : "release"),
-                          "only workstations and bus masters request a bus", connection);
+            return refuse(
+                attachment.connected,
+                fmt::format("\"{}\" never requests the bus, so its connection cannot have the attribute \"{}\"",
+                            c_.network.nodes[attachment.node].name, connection.level ? "level" : "release"),
+                "only workstations and bus masters request a bus", connection);
         attachment.level = connection.level.value_or(attachment.level);
         attachment.on_request = connection.release == "ROR";
         return true;

@@ -94,8 +94,8 @@ private:
         return result;
     }
 
-    /// Returns the search for routes of this channel. Channels between processes that are code may lead through
-    /// different processors than other channels.
+    /// Returns the search that finds routes for this channel. Channels between processes in occam can lead through
+    /// other processors than the rest of the channels.
     RouteSearch& search(const NetworkChannel& channel) {
         return is_between_code(c_.network, channel) ? *search_for_code_ : search_;
     }
@@ -173,8 +173,8 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// Returns the best route that takes these wires in this order. Throws StatementRefused, after reporting, if no
-    /// route exists.
+    /// Returns the best route that takes these wires in this order. If there is no such route, reports an error, and
+    /// throws StatementRefused.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // already reported
@@ -282,7 +282,7 @@ private:
                            node_name(connection.a.node), node_name(connection.b.node),
                            &wire == wires.data() ? "" : ", after the wires that are stated before this wire"),
                fmt::format("a route passes each processor at most once, and only processors pass a channel on{}",
-                           best ? "; the shortest route leaves the sender's processor by " + text_of(*best) : ""),
+                           best ? "; the shortest route leads over " + text_of(*best) : ""),
                std::move(places));
     }
 
@@ -329,7 +329,7 @@ private:
                way_to_edge(inner.node, outer.node));
     }
 
-    /// Returns a hint that says how to connect the node with the edge.
+    /// Returns a hint about how to connect the node to the edge.
     std::string way_to_edge(std::size_t node, std::size_t edge) const {
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
@@ -394,8 +394,8 @@ private:
                                   c_.network.nodes[node].declared});
     }
 
-    /// Adds a note for each processor that any other channel could pass through, but not a channel between processes
-    /// that are code.
+    /// Adds a note for each processor through which other channels can lead, but not a channel between processes in
+    /// occam.
     void add_obstacles(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) {
         const std::vector<RouteHop> route = search_.best(from, to).value_or(std::vector<RouteHop>{});
         for (std::size_t i = 0; i + 1 < route.size(); ++i) {
@@ -424,7 +424,7 @@ private:
     const std::vector<LinkConnection>& wires_;
     std::vector<std::size_t> load_; ///< number of channels on each connection in each direction, as in RouteSearch
     RouteSearch search_;
-    std::optional<RouteSearch> search_for_code_; ///< nothing if no process is code
+    std::optional<RouteSearch> search_for_code_; ///< nothing if no process is in occam
     StatedRoutes stated_;
     Broadcasts broadcasts_;
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between_;

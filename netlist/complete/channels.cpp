@@ -38,8 +38,8 @@ private:
         return end.process == nowhere ? end.port : c_.draft.processes[end.process].name + "." + end.port;
     }
 
-    /// Returns the port and the direction of a channel's end; nothing, after reporting an error, if the direction is
-    /// unknown.
+    /// Returns the port and the direction of a channel's end. If the direction is unknown, reports an error, and
+    /// returns nothing.
     std::optional<End> look_up(const DraftChannelEnd& end) {
         if (end.process == nowhere) {
             auto direction = c_.draft.edge_channels[end.edge_channel].direction;
@@ -102,8 +102,9 @@ private:
         c_.draft_channel.push_back(draft);
     }
 
-    /// Returns whether the two ports carry the same messages. Two ports of code must have the same protocol. A port of
-    /// code agrees with a C++ type that has the byte form of the port's protocol.
+    /// Returns whether the two ports carry the same messages. Two ports of processes in occam must have the same
+    /// protocol. A port of a process in occam agrees with a port of another process if their messages consist of the
+    /// same bytes.
     static bool agree(const PortDescription& a, const PortDescription& b) {
         if (a.type != b.type)
             return std::ranges::find(a.byte_types, b.bytes_as) != a.byte_types.end() ||
@@ -187,7 +188,8 @@ private:
         return c_.network.nodes[other].runs_own_code && !has_image(other) ? other : nowhere;
     }
 
-    /// Returns whether the processor executes processes that are code, whose channels are connected by name.
+    /// Returns whether processes in occam are placed on the processor. A channel to such a process must be connected:
+    /// it is not enough to place the channel on a link to the processor.
     bool has_image(std::size_t node) const {
         for (std::size_t i = 0; i < c_.draft.processes.size(); ++i)
             if (c_.draft.processes[i].node == node && c_.kinds[i] != nullptr && c_.kinds[i]->is_code)
@@ -216,12 +218,13 @@ private:
         }
         if (port == nullptr || port->has_byte_form)
             return true;
-        c_.reporter.error(placement.at,
-                          fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
-                                      "bytes, but the code that \"{}\" executes can send and receive only bytes",
-                                      process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
-                          "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
-                          "packets of the csp kinds can travel as bytes");
+        c_.reporter.error(
+            placement.at,
+            fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
+                        "bytes, but the code that \"{}\" executes can send and receive only bytes",
+                        process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
+            "these can travel as bytes: numbers and truth values, arrays and counted arrays of them, variants "
+            "of all these, and the packets of the csp kinds");
         return false;
     }
 
@@ -296,9 +299,9 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless an error that was reported may be the cause. This is so if a `connect`
-    /// names the channel and some `connect` was refused, or if a `connect` names a channel that the process does not
-    /// have.
+    /// Reports an unconnected channel, unless an earlier error may be the cause. If a `connect` names the channel, the
+    /// cause may be that a `connect` was refused. If none names it, the cause may be that a `connect` names another
+    /// channel, which the process does not have.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
@@ -330,8 +333,8 @@ private:
         return used;
     }
 
-    /// Returns false, after reporting, unless the port has a single end without a subscript, or ends numbered 0, 1, 2
-    /// ...
+    /// Returns true if the port has a single end without a subscript, or ends numbered 0, 1, 2 ... Otherwise reports an
+    /// error, and returns false.
     bool check_numbering(const DraftProcess& process, const std::string& port,
                          const std::vector<std::vector<std::int64_t>>& used) {
         for (std::size_t i = 0; i < used.size(); ++i)
@@ -359,7 +362,7 @@ private:
             if (used == 0 || std::cmp_equal(port.elements, used))
                 continue;
             c_.reporter.error(process.declared,
-                              fmt::format("the kind \"{}\" of \"{}\" has {} {}, but {} connected", kind.name,
+                              fmt::format("the kind \"{}\" of \"{}\" has {} \"{}\", but {} connected", kind.name,
                                           process.name, counted(static_cast<std::size_t>(port.elements), "channel"),
                                           port.name, used == 1 ? "1 is" : fmt::format("{} are", used)),
                               std::cmp_less(used, port.elements)

@@ -39,8 +39,8 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
                                  process.name, *left_out));
 }
 
-/// Returns where the netlist gives the parameter or connects the port at fault; otherwise where it declares the
-/// process.
+/// Returns the place where the netlist gives the parameter, or connects the port, that the complaint is about. If there
+/// is no such place, returns the place where the process is declared.
 Location place_of(const Completion& c, const Complaint& complaint) {
     const auto& process = c.network.processes[complaint.process];
     if (auto given = process.given.find(complaint.about); given != process.given.end())
@@ -77,7 +77,7 @@ void check_nodes(Completion& c) {
 }
 
 /// Warns once if a node has the attribute `tolerance` and some channel leads over several wires. It is not published
-/// how INMOS's configurer icconf uses this attribute. PlacedPar ignores it, so routes may differ.
+/// how INMOS's configurer icconf uses this attribute. PlacedPar ignores it, so icconf may choose other routes.
 void check_tolerance(Completion& c) {
     auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
     auto channel = std::ranges::find_if(c.network.channels, led_through);
@@ -90,7 +90,7 @@ void check_tolerance(Completion& c) {
             "PlacedPar chooses routes by routecost and linkquota; place states the route of a channel");
 }
 
-/// Returns for each node how many channels in packets begin, end or pass there.
+/// Returns for each node how many of the channels that are sent in packets begin there, end there or pass through it.
 std::vector<std::int64_t> channels_in_packets(const Network& network) {
     std::vector<std::int64_t> counts(network.nodes.size(), 0);
     for (const NetworkChannel& channel : network.channels) {

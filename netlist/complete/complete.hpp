@@ -27,17 +27,17 @@ struct Completion {
     std::map<std::pair<std::size_t, int>, std::size_t> connection_at; ///< key: node and link
     std::map<std::size_t, std::size_t> connection_named;              ///< key: index in draft.connections
     std::vector<const ProcessKind*> kinds;                            ///< kind of each process; null for a stand-in
-    std::vector<bool> kind_refused;         ///< for each process: whether its kind is unknown (already reported)
+    std::vector<bool> kind_refused; ///< for each process: whether its kind is unknown, which is already reported
     std::vector<std::size_t> draft_channel; ///< draft index of each channel of the network
     std::vector<bool> wire_refused = {};    ///< for each node: whether one of its wires leads nowhere
-    bool buses_refused = false;             ///< an earlier error was reported, so no ways over buses were computed
+    bool buses_refused = false; ///< the ways over buses were not computed, because an earlier error was reported
 
     /// Returns the node's first link that has no wire, such as "a.link[2]"; "" if all links have wires.
     std::string free_link(std::size_t node) const;
 };
 
-/// images.cpp: if every process of the network is code (ProcessKind::is_code) and none is placed, adds a transputer and
-/// places all of them on it.
+/// images.cpp: if all processes of the network are in occam (ProcessKind::is_code), and none of them is placed, adds a
+/// transputer, and places all processes on it.
 void place_code(Completion& completion);
 /// hosts.cpp: turns each edge with processes into a workstation.
 void complete_hosts(Completion& completion);
@@ -62,15 +62,15 @@ void check_switched(Completion& completion);
 void complete_faults(Completion& completion);
 /// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
-/// booted.cpp: checks that the node can execute code. `reason` has notes that say why it must.
+/// booted.cpp: checks that the node can execute code. `reason` has notes that tell why the node must execute code.
 void check_executes(Completion& completion, const Node& node, const std::vector<SecondPlace>& reason);
-/// images.cpp: marks the nodes with processes that are code, and checks them. Called by complete_booted().
+/// images.cpp: marks the nodes with processes in occam, and checks these nodes. Called by complete_booted().
 void mark_code_nodes(Completion& completion);
-/// images.cpp: returns the nodes that may pass on channels between processes that are code. These nodes execute code,
-/// and have no other processes.
+/// images.cpp: returns for each node whether channels between processes in occam may lead through it. Such a node can
+/// execute code, is not booted with a file, and has no processes that are not in occam.
 std::vector<bool> nodes_for_code(const Completion& completion);
-/// images.cpp: marks the nodes that pass on channels between processes that are code. These nodes then execute code for
-/// this purpose.
+/// images.cpp: marks the nodes through which channels between processes in occam lead. These nodes then execute a
+/// program that passes on the messages.
 void complete_relays(Completion& completion);
 /// images.cpp: makes the images of the nodes that execute code. REQUIRES: nothing was refused.
 void complete_images(Completion& completion);

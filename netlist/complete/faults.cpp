@@ -11,7 +11,8 @@ namespace placedpar {
 namespace {
 
 /// Finds the processor at an end of the named piece of wire. The fault affects the link of that processor, whichever
-/// partners the switch connects. Returns false, after reporting, if both ends are at switches.
+/// partners the switch connects. If both ends are at switches, reports an error, and returns
+/// false.
 bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connection, Fault& fault) {
     auto piece = std::ranges::find(c.draft.wires, draft.connection, &DraftWire::connection);
     for (const LinkEnd& end : {piece->a, piece->b})
@@ -30,12 +31,13 @@ bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connec
 }
 
 /// Sets the fault's link to the end of the wire that `connect` names first, or to the other end if the first is an
-/// edge. Returns false, after reporting, if the connection wires no links.
+/// edge. If the connection connects no links, reports an error, and returns false.
 bool find_named_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     auto named = c.connection_named.find(draft.connection);
     if (named == c.connection_named.end()) {
         c.reporter.error(
-            draft.at, fmt::format("the connection \"{}\" wires no links", c.draft.connections[draft.connection].name),
+            draft.at,
+            fmt::format("the connection \"{}\" connects no links", c.draft.connections[draft.connection].name),
             "connect ... to ... by connection;");
         return false;
     }
@@ -53,10 +55,11 @@ bool find_wire(Completion& c, const DraftFault& draft, Fault& fault) {
     auto wire = c.connection_at.find({fault.node, fault.link});
     if (wire == c.connection_at.end()) {
         bool crosses = c.network.nodes[fault.node].kind->links == LinkRole::crosses;
-        c.reporter.error(draft.at, fmt::format("{} \"{}\"",
-                                               crosses ? "state the fault at an end of the wire, not at its switch"
-                                                       : "no wire leads to the link",
-                                               link_name(c.network.nodes, {fault.node, fault.link})));
+        c.reporter.error(draft.at,
+                         fmt::format("{} \"{}\"",
+                                     crosses ? "a fault is stated at an end of a wire, but this is a link of a switch:"
+                                             : "no wire leads to the link",
+                                     link_name(c.network.nodes, {fault.node, fault.link})));
         return false;
     }
     fault.connection = wire->second;

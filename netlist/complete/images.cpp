@@ -83,7 +83,7 @@ void check_code_type(Completion& c, const DraftProcess& process, const Node& nod
 } // namespace
 
 void mark_code_nodes(Completion& c) {
-    std::map<std::size_t, const DraftProcess*> code; // key: node; the first process on it that is code
+    std::map<std::size_t, const DraftProcess*> code; // key: node; value: the first process in occam on this node
     for (std::size_t i = 0; i < c.draft.processes.size(); ++i)
         if (const DraftProcess& process = c.draft.processes[i];
             c.kinds[i] && c.kinds[i]->is_code && process.node != nowhere)
@@ -116,7 +116,7 @@ std::vector<bool> nodes_for_code(const Completion& c) {
 
 namespace {
 
-/// Returns the nodes through which a channel between processes that are code leads.
+/// Returns the nodes through which a channel between processes in occam leads.
 std::vector<std::size_t> nodes_between(const Network& network, const NetworkChannel& channel) {
     std::vector<std::size_t> nodes;
     const std::vector<RouteHop>& route = channel.placement.route;
@@ -125,8 +125,8 @@ std::vector<std::size_t> nodes_between(const Network& network, const NetworkChan
     return nodes;
 }
 
-/// Refuses a channel that leads through a node with code that passes messages on, but is not between processes that are
-/// code.
+/// Refuses a channel that is not between two processes in occam, but leads through a node whose program passes on
+/// messages between such processes.
 void refuse_beside_relay(Completion& c, const NetworkChannel& channel, const NetworkChannel& relayed,
                          std::size_t node) {
     c.reporter.error(channel.connected,
@@ -140,7 +140,8 @@ void refuse_beside_relay(Completion& c, const NetworkChannel& channel, const Net
 } // namespace
 
 void complete_relays(Completion& c) {
-    std::map<std::size_t, const NetworkChannel*> relays; // the first channel that leads through the node
+    std::map<std::size_t, const NetworkChannel*>
+        relays; // key: node; value: the first channel that leads through this node
     for (const NetworkChannel& channel : c.network.channels)
         for (const std::size_t node : nodes_between(c.network, channel))
             relays.try_emplace(node, &channel);
@@ -157,7 +158,7 @@ void complete_relays(Completion& c) {
 
 namespace {
 
-/// Checks the channels of processes that are code, and makes the images of their nodes.
+/// Checks the channels of processes in occam, and makes the images (the memory contents) of their nodes.
 class Images {
 public:
     explicit Images(Completion& c) : c_(c), n_(c.network), has_code_(n_.nodes.size(), false) {
@@ -231,7 +232,8 @@ private:
                           "connect the two processors, or let a process in occam pass the messages on");
     }
 
-    /// Refuses channels from a node to another that share a direction of a wire. Reports each pair of nodes once.
+    /// Reports that too few wires lead from one node to another for the channels between them. Reports each pair of
+    /// nodes once.
     void refuse_shared(const NetworkChannel& channel) {
         const std::pair nodes(channel.from.node, channel.to.node);
         if (!refused_.insert(nodes).second)
@@ -246,7 +248,7 @@ private:
                     wires.push_back(link_name(n_.nodes, a));
         c_.reporter.error(
             channel.connected,
-            fmt::format("{} lead from \"{}\" to \"{}\", but only {} does; a direction of a wire carries one channel "
+            fmt::format("{} lead from \"{}\" to \"{}\", but over only {}; a direction of a wire carries one channel "
                         "between a process in occam and a process in C++",
                         counted(channels.size(), "channel"), n_.nodes[nodes.first].name, n_.nodes[nodes.second].name,
                         counted(wires.size(), "wire")),

@@ -43,8 +43,8 @@ public:
     }
 
 private:
-    /// Takes a setting of the netlist, which replaces the default of the interface. Refuses a second setting of the
-    /// same name.
+    /// Takes a setting of the netlist. It replaces the default value that the interface states. Refuses a second
+    /// setting of the same name.
     void take_once(const Setting& setting) {
         auto [known, is_new] = set_.emplace(setting.name, setting.at);
         if (is_new)
@@ -154,7 +154,7 @@ private:
         return std::nullopt;
     }
 
-    /// Returns false, after reporting, if the declared type cannot hold the value.
+    /// Returns whether the declared type can hold the value. If not, reports an error.
     bool fits(const Setting& setting, const ParameterDeclaration& declared, const Value& value) {
         auto problem = misfit(declared, value);
         if (!problem)
@@ -251,7 +251,7 @@ private:
 void complete_parameters(Completion& completion, std::size_t process) try {
     Parameters(completion, process).run();
 } catch (const StatementRefused&) {
-    // an attribute set by a statement was refused, and reported
+    // an attribute that a statement sets was refused; the error is reported
 }
 
 } // namespace placedpar

@@ -92,8 +92,8 @@ void refuse_left_out(Completion& c, const DraftProcess& process, const PortDescr
                      {used_here(c, process)});
 }
 
-/// Checks the netlist's interface against the kind: the kind must have each entry, and the interface must have each
-/// port that the kind requires.
+/// Checks the interface in the netlist against the kind. The kind must have each entry of the interface, and the
+/// interface must have each port that the kind requires.
 void check_interface(Completion& c, const DraftProcess& process, const ProcessKind& kind) {
     const auto& interface = *process.interface;
     for (const auto& port : interface.ports)
@@ -110,10 +110,10 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
 void check_logic(Completion& c, const DraftProcess& process) {
     const Node& node = c.network.nodes[process.node];
     if (node.kind->is_set_by_link() && process.kind != node.kind->logic)
-        c.reporter.error(
-            process.placed,
-            fmt::format("\"{}\" is {}: only its own logic can be placed on it", node.name, node.kind->noun),
-            fmt::format("use \"{}\" for {};", node.kind->logic, process.name));
+        c.reporter.error(process.placed,
+                         fmt::format("\"{}\" is {}: only a process that is its logic can be placed on it", node.name,
+                                     node.kind->noun),
+                         fmt::format("use \"{}\" for {};", node.kind->logic, process.name));
 }
 
 void take_over(ProcessInstance& process, const DraftProcess& draft) {

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_hubs = 64; ///< our choice; each hub takes 32 bytes per node
+constexpr std::size_t most_hubs = 64; ///< largest number of hubs, our choice: each hub takes 32 bytes for each node
 
 } // namespace
 
@@ -132,7 +132,7 @@ void RouteSearch::search_around(const Ends& ends, const std::set<std::size_t>& a
     for (open.emplace(RouteCost{}, ends.to); !open.empty() && open.top().second != ends.from;) {
         auto [cost, node] = open.top();
         open.pop();
-        if (distances_[node] == cost) // otherwise a cheaper route from the node was found
+        if (distances_[node] == cost) // otherwise a cheaper route from the node has been found since
             reach_before(
                 node, ends, [&](std::size_t before) { return !around.contains(before); },
                 [&](const RouteCost& better, std::size_t before) { open.emplace(better, before); });

@@ -27,10 +27,10 @@ struct RouteCost {
 };
 
 /// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
-/// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are left out: a processor
-/// on the route could not know when they are connected. `may_pass` says for each node whether routes may lead through
-/// it, if the node's kind and `linkquota` also allow this. `load` counts the channels on each connection i: load[2 i]
-/// from b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
+/// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are not used, since a
+/// processor on the route could not know when they are connected. `may_pass` says for each node whether routes may lead
+/// through it, if the node's kind and `linkquota` also allow this. `load` counts the channels on each connection i:
+/// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
@@ -61,9 +61,9 @@ private:
     /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
     /// `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// A hub is an end of many routes for which the least costs from all nodes are stored. If one of the two ends is a
-    /// hub, searches only among the nodes on routes of least cost (loads not counted). Returns false if neither end is
-    /// a hub.
+    /// A hub is a node at the end of many routes; the least costs of routes from all nodes to a hub are stored. If one
+    /// of the two ends is a hub, searches only among the nodes on routes of least cost (loads not counted). Returns
+    /// false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
     /// For each neighbour of `node`: if a route over `node` costs less than the neighbour's distance, lowers the
@@ -72,14 +72,15 @@ private:
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
     /// Adds the number of nodes that the last search visited to spent_ of both ends. An end becomes a hub when its
-    /// searches have visited more nodes than the network has: making the hub costs no more than these searches did.
+    /// searches have visited more nodes than the network has. Making the hub takes no longer than these searches took.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
     /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
     /// within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// A hop leaves its first node by one link, and comes in at its second node by another. These two functions return
-    /// whether a route through that node may use the link.
+    /// A hop leads from a link of its first node to a link of its second node. may_leave() returns whether a route that
+    /// passes through the first node may use the link there; may_come_in() returns the same for the second node and its
+    /// link.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -87,10 +88,11 @@ private:
     const std::vector<Node>& nodes_;
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
-    std::vector<std::vector<Step>> leaving_; ///< for each node: the steps that leave it, lowest link first
-    std::vector<bool>
-        beyond_quota_; ///< at 2 * connection + from_a_to_b: whether this hop leaves its node by a link beyond the quota
-    bool has_quotas_ = false; ///< some link is beyond a quota, so the cost of a route may depend on its direction
+    std::vector<std::vector<Step>>
+        leaving_;                    ///< for each node: the steps that leave the node, in ascending order of its links
+    std::vector<bool> beyond_quota_; ///< element 2 * connection + from_a_to_b: whether this hop leaves its node by a
+                                     ///< link that the node's `linkquota` excludes
+    bool has_quotas_ = false; ///< some `linkquota` excludes a link, so the cost of a route may depend on its direction
     std::vector<bool> leads_through_;     ///< for each node: whether routes may lead through it
     std::vector<std::int64_t> routecost_; ///< for each node that passes channels on
     std::vector<std::optional<RouteCost>>

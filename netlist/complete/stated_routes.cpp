@@ -38,7 +38,7 @@ std::optional<StatedRoute> StatedRoutes::by_connection(std::size_t channel) cons
     const auto& [wire, at] = placed->second;
     auto found = c_.connection_named.find(wire);
     if (found == c_.connection_named.end())
-        refuse(at, fmt::format("the connection \"{}\" wires no links", c_.draft.connections[wire].name));
+        refuse(at, fmt::format("the connection \"{}\" connects no links", c_.draft.connections[wire].name));
     return StatedRoute{way_over_bus(found->second), nowhere, at};
 }
 
@@ -83,7 +83,7 @@ std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// Refuses the placement unless it is at the processor that holds the process.
+/// Refuses the placement unless the link belongs to the processor on which the process is placed.
 void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -133,9 +133,9 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way over a bus for a placement at a master. If the channel's output is placed there, the way leads to
-/// the place that is stated next, or to the receiver if this place is the last. If the input is placed there, the way
-/// leads from the sender.
+/// Returns the way over a bus for a placement at the bus end of a master. If the output of the channel is placed there,
+/// the way leads to the next stated place, or to the receiver if this place is the last. If the input is placed there,
+/// the way leads from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

@@ -17,8 +17,8 @@ struct StatedRoute {
     Location at;
 };
 
-/// Finds the routes that the netlist states for channels, by `place` statements for an end of a channel or for its
-/// connection. All functions throw StatementRefused after reporting a placement that cannot be used.
+/// Finds the routes that the netlist states for channels by `place` statements, either for an end of the channel or for
+/// its connection. All functions throw StatementRefused after reporting a placement that cannot be used.
 class StatedRoutes {
 public:
     /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` has the layout of

@@ -23,7 +23,7 @@ std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWir
     return places;
 }
 
-/// Returns the wire at each link.
+/// Returns the index of the wire at each link.
 std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     std::map<Socket, std::size_t> places;
     for (std::size_t i = 0; i < wires.size(); ++i)
@@ -68,7 +68,7 @@ private:
         extend(std::move(connection), {first});
     }
 
-    /// Extends the connection through switches until it ends at no switch, and adds it to the network.
+    /// Extends the connection through switches until its far end is not at a switch, and adds it to the network.
     void extend(LinkConnection connection, std::vector<std::size_t> pieces) {
         while (at_switch(connection.b)) {
             auto crosspoints = crosspoints_at_.find(socket(connection.b));
@@ -104,7 +104,7 @@ private:
     }
 
     /// Extends the connection through the switch at its far end and along the next wire. Returns false if there is no
-    /// next wire (reported), or if the connection already has this wire.
+    /// next wire, which is reported, or if this wire is already part of the connection.
     bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
         auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
@@ -187,8 +187,8 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states a different
-    /// speed from a preceding piece.
+    /// Adds the attributes of one piece of the wire. If the piece states another speed than a preceding piece, reports
+    /// an error, and returns false.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {
@@ -241,7 +241,7 @@ private:
     std::map<Socket, std::size_t> wire_at_;
     std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
     std::set<std::size_t> noted_; ///< pieces that are already in the network
-    std::size_t ways_ = 0;        ///< paths tried through crosspoints that a program sets; at most most_ways
+    std::size_t ways_ = 0;        ///< number of paths tried through crosspoints that a program sets; at most most_ways
 };
 
 bool is_computer(const Node& node) { return node.kind->executes != Execution::none; }

@@ -37,7 +37,7 @@ private:
     Reporter& reporter_;
 };
 
-/// Returns whether `names` contains the attribute or its group.
+/// Returns whether `names` contains the attribute, or the group to which it belongs: "order" for "order.code".
 bool names_attribute(const std::vector<std::string>& names, const std::string& attribute);
 
 } // namespace placedpar

@@ -27,14 +27,15 @@ void refuse_repeated(const std::vector<Setting>& settings, Reporter& reporter) {
         auto [known, is_new] = first.emplace(setting.name, setting.at);
         if (is_new)
             continue;
-        reporter.error(setting.at, fmt::format("\"{}\" is given twice", setting.name), "",
+        reporter.error(setting.at, fmt::format("two values are given for \"{}\"", setting.name), "",
                        {first_given(known->second)});
         throw StatementRefused{};
     }
 }
 
 AttributeDescription process_memory(const std::string& name) {
-    return {.value = description::integer(name, {.unit = "bytes", .least = 0, .most = 4294967296.0}, "kept")};
+    return {.value = description::integer(name, {.unit = "bytes", .least = 0, .most = 4294967296.0},
+                                          "kept, but has no effect")};
 }
 
 void apply_connection_attribute(DraftConnection& connection, const Setting& setting, Reporter& reporter) {
@@ -87,13 +88,14 @@ std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporte
 const std::vector<AttributeDescription>& connection_attributes() {
     using namespace description;
     static const std::vector<AttributeDescription> attributes{
-        {.value = integer("linkspeed", {.unit = "bit/s", .least = 1, .most = 1e9}, "in both directions"),
+        {.value = integer("linkspeed", {.unit = "bit/s", .least = 1, .most = 1e9},
+                          "bit rate of the wire, in both directions"),
          .decimal_suffixes = true},
-        {.value = real("length", {.unit = "metres", .least = 0, .most = 1000}, "of the wire")},
-        {.value = integer("level", {.least = 0, .most = 3}, "of a master's requests")},
-        {.value =
-             text("release", {.choices = {"RWD", "ROR"}},
-                  "when a master gives up the bus: RWD when it is done, ROR when another master requests the bus")}};
+        {.value = real("length", {.unit = "metres", .least = 0, .most = 1000}, "length of the wire")},
+        {.value = integer("level", {.least = 0, .most = 3}, "level at which the master requests the bus")},
+        {.value = text("release", {.choices = {"RWD", "ROR"}},
+                       "when the master releases the bus: RWD after each block of words, ROR when another master "
+                       "requests the bus")}};
     return attributes;
 }
 

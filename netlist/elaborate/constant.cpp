@@ -56,7 +56,7 @@ Constant integer_arithmetic(const std::string& symbol, const Integer& a, const I
     if ((symbol == "<<" || symbol == ">>") && (b.value < 0 || b.value > 63))
         throw NoResult{fmt::format("an integer cannot be shifted by {} bits", b.value), "expected 0 to 63"};
     if (!integer_operation(symbol[0], a.value, b.value, result.value))
-        throw NoResult{fmt::format("{} {} {} is beyond 64 bits", a.value, symbol, b.value), ""};
+        throw NoResult{fmt::format("{} {} {} does not fit in 64 bits", a.value, symbol, b.value), ""};
     if (!integer_operation(symbol[0], a.decimal, b.decimal, result.decimal))
         result.decimal = result.value;
     return {result};
@@ -173,7 +173,7 @@ Constant apply_cast(const std::string& type, const Constant& operand) {
     } else {
         auto whole = std::trunc(*operand.real());
         if (!(whole >= -0x1p63 && whole < 0x1p63))
-            throw NoResult{fmt::format("{} is beyond 64 bits", *operand.real()), ""};
+            throw NoResult{fmt::format("{} does not fit in 64 bits", *operand.real()), ""};
         result.value = result.decimal = static_cast<std::int64_t>(whole);
     }
     auto v = result.value;

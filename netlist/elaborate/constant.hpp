@@ -35,15 +35,15 @@ std::string type_name(const Constant& constant);
 /// Returns the constant in the syntax of a netlist. A long text is shortened.
 std::string shown(const Constant& constant);
 
-/// The operations below throw a NoResult if the language defines no result for the operands. The evaluator reports it
-/// as an error at the operation.
+/// The operations below throw this exception if the language defines no result for the operands. The evaluator then
+/// reports an error at the operation.
 struct NoResult {
     std::string message;
     std::string hint;
 };
 
-/// Integers have 64 bits; an overflow has no result. If an operand is real, the result is real. The evaluator handles
-/// `&&` and `||`.
+/// These functions apply an operator. Integers have 64 bits; an overflow has no result. If an operand is real, the
+/// result is real. The evaluator itself handles `&&` and `||`.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
 /// Casts to a type. Values out of the range of `char`, `short` or `int` are refused; a real is truncated towards zero.

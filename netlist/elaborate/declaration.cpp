@@ -16,7 +16,8 @@ void Elaborator::check_free(const std::string& name, const Location& at) {
                {{fmt::format("first declared here, as {}", describe(*known)), known->declared}});
 }
 
-/// Makes the name unique within the network: a replicated block declares the same name several times.
+/// Returns the name, with a number appended if the network already has this name: a replicated block declares the same
+/// name several times.
 std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];
@@ -93,7 +94,7 @@ Type Elaborator::base_type(const std::string& name, const Location& at, std::vec
 Type Elaborator::type_of_element(const Location& at, std::vector<Setting>& settings) {
     auto found = std::ranges::find(settings, "element", &Setting::name);
     if (found == settings.end())
-        refuse(at, "the element of the node is missing",
+        refuse(at, "the attribute \"element\" of this node is missing",
                "write node (element = \"processor\") or node (element = \"process\")");
     AttributeValue value(*found, reporter_);
     auto element = value.text();

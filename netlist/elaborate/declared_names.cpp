@@ -23,7 +23,7 @@ std::vector<DeclaredName> names_of(const Form& form, const Location&) {
     return names;
 }
 
-/// Returns the names that an `if` declares in the enclosing block: the names in its branches that are not blocks.
+/// Returns the names that an `if` declares in the enclosing block. A branch in braces declares names only for itself.
 std::vector<DeclaredName> names_of(const IfStatement& form, const Location&) {
     auto names = declared_names(*form.then);
     if (form.otherwise)

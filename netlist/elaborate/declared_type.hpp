@@ -10,12 +10,12 @@ namespace placedpar {
 
 /// These functions check values against the type that an interface declares for a parameter.
 
-/// Says why a value does not fit, and what would fit.
+/// States in `message` why a value does not fit, and in `hint` what would fit.
 struct Misfit {
     std::string message, hint;
 };
 
-/// Returns the type of the parameter's elements; a row of `char` is one text.
+/// Returns the type of the parameter's elements. A row of `char` counts as one element, a text.
 ParameterType element_type(const ParameterDeclaration& parameter);
 /// Returns the number of subscripts of an element: the number of dimensions, or one less if rows of `char` are texts.
 std::size_t element_dimensions(const ParameterDeclaration& parameter);

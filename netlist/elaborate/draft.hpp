@@ -14,7 +14,7 @@ namespace placedpar {
 
 /// Limits the size of a netlist: the total number of nodes, connections, wires, edge channels, processes, their channel
 /// ends and parameters, values given to parameters, and attributes that only icconf uses. Each element of an array
-/// counts.
+/// counts separately.
 inline constexpr std::size_t most_things = 250'000;
 
 /// The structures below describe a netlist whose statements have been executed, but which has not been checked as a
@@ -25,7 +25,7 @@ struct DraftConnection {
     Location declared;
     std::optional<std::int64_t> bits_per_second;
     std::optional<double> metres;
-    std::optional<Location> used;             ///< place of the `connect` that uses the connection
+    std::optional<Location> used;             ///< place of the `connect` that names the connection
     std::map<std::string, Location> settings; ///< attributes set by statements such as `c (length = 0.3);`
     std::optional<int> level = {};            ///< request level of a master on a bus
     std::optional<std::string> release = {};  ///< "RWD", "ROR"

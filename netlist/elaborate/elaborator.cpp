@@ -12,7 +12,7 @@ namespace placedpar {
 Elaborator::Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter)
     : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter),
       overrides_(overrides) {
-    // the predefined names are reserved, since a printed network uses them
+    // No element of the network may have a predefined name, since the printed network uses these names.
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);
@@ -68,7 +68,7 @@ std::int64_t Elaborator::behind_count(std::int64_t first, const Expression& expr
         refuse(expression.at, fmt::format("a replicator cannot count {} times", count),
                "expected a count of 0 or more");
     if (__builtin_add_overflow(first, count, &end))
-        refuse(expression.at, fmt::format("{} + {} is beyond 64 bits", first, count));
+        refuse(expression.at, fmt::format("{} + {} does not fit in 64 bits", first, count));
     return end;
 }
 

@@ -23,8 +23,8 @@ inline constexpr std::size_t most_interface_entries = 1000;
 /// statement.
 class Elaborator {
 public:
-    /// `overrides` are SetStatements. Overrides of vals are applied where the vals are declared. Apply the other
-    /// overrides by calling run() with them after use(). REQUIRES: catalogue and overrides outlive this object.
+    /// `overrides` are SetStatements. Overrides of vals are applied where the vals are declared. To apply the other
+    /// overrides, call run() with the overrides after use(). REQUIRES: catalogue and overrides outlive this object.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
@@ -188,13 +188,13 @@ private:
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
     std::set<std::string> claimed_;     ///< names that are used in the network, without subscripts
-    std::map<std::string, int> copies_; ///< for each name: the last number that was added to make it unique
+    std::map<std::string, int> copies_; ///< for each name: the last number that was appended to make a name unique
     const Statements& overrides_;
     std::map<std::string, Location> overridden_vals_; ///< for each val: location of the option that overrides it
     std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< key: element and member
     std::map<std::size_t, SetByOption> reached_;                             ///< key: position of the option
-    // The next two members are filled only if there are overrides: the netlist's values of vals outside of blocks, and
-    // the names of vals in blocks.
+    // The next two members are filled only if there are overrides: vals outside of blocks with their values in the
+    // netlist, and the names of vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
     std::size_t host_ = nowhere; ///< node of the predefined edge; nowhere until the netlist uses this edge

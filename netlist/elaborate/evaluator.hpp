@@ -9,7 +9,8 @@
 
 namespace placedpar {
 
-/// Limits the steps of evaluation and elaboration of one netlist, so that these take seconds, not minutes.
+/// Limits the number of steps in which one netlist is evaluated and elaborated, so that this takes seconds, not
+/// minutes.
 inline constexpr std::size_t most_steps = 5'000'000;
 
 /// Evaluates expressions in the scopes that are open. All functions throw StatementRefused after reporting an error.

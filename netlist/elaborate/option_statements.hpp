@@ -19,10 +19,10 @@ void attempt(Work work) {
     }
 }
 
-/// Reads overrides as statements to be executed after the netlist, the most precise first. Each override is a separate
-/// source, so that messages can show its text.
+/// Reads overrides as statements that are executed after the netlist, beginning with the override that has the most
+/// precise target. Each override is a separate source file, so that messages can show its text.
 Statements read_overrides(const Overrides&, Reporter&);
-/// Reads the values of `--fault` as statements. Each value is a separate source.
+/// Reads the values of `--fault` as statements. Each value is a separate source file.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

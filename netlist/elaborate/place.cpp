@@ -27,7 +27,7 @@ void Elaborator::place_process(const PlaceStatement& form) {
     auto index = element(form.where, where);
     const auto& node = draft_.nodes[index];
     if (!form.where.field.empty())
-        refuse(form.where.field_at, "place the process on a processor, not on a link");
+        refuse(form.where.field_at, "a process cannot be placed on a link: place it on a processor");
     bool takes = node.kind->executes != Execution::none || node.kind->is_set_by_link();
     if (!takes && node.kind->links != LinkRole::edge) // a process on an edge turns the edge into a workstation
         refuse(form.where.at, fmt::format("\"{}\" is {}: no process can be placed on it", node.name, node.kind->noun));
@@ -57,7 +57,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
     known.push_back({link, form.what.at});
 }
 
-/// Returns where the channel is placed: a link, an edge, a bus as a whole, or a device's place on a bus.
+/// Returns where the channel is placed: on a link, on an edge, on a whole bus, or at the bus end of a device.
 LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& found) {
     const Reference& where = form.where;
     const DeviceKind& kind = *draft_.nodes[found.first].kind;
@@ -67,14 +67,15 @@ LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& fo
                fmt::format("place {}.{} on the bus end of the sender's device, such as sun.bus[0]", form.what.name,
                            form.what.field));
     if (kind.medium && !where.field.empty())
-        refuse(where.field_at, "place the channel on the whole bus",
+        refuse(where.field_at, "a channel cannot be placed on a part of a bus: place it on the whole bus",
                fmt::format("place {}.{} on {};", form.what.name, form.what.field, where.name));
     if (kind.medium)
         return {element(where, found), bus_port};
     if (where.field != "bus")
         return link_end(where, found);
     if (kind.bus == BusRole::adapter)
-        refuse(where.field_at, "place the channel on the link of the adapter",
+        refuse(where.field_at,
+               "a channel cannot be placed on the bus end of a link adapter: place it on the adapter's link",
                fmt::format("place {}.{} on {}.link[0];", form.what.name, form.what.field, where.name));
     bus_subscript(where, 0, 0);
     return {device_end(where, found), bus_port};
@@ -86,7 +87,7 @@ void Elaborator::place_edge_channel(const PlaceStatement& form) {
     auto index = where.category == Category::node ? element(form.where, where) : nowhere;
     if (index == nowhere || draft_.nodes[index].kind->links != LinkRole::edge || !form.where.field.empty())
         refuse(form.where.at, fmt::format("\"{}\" is not an edge: place the edge channel on an edge", form.where.name),
-               "such as host");
+               "the edge host is predefined");
     if (channel.edge != nowhere)
         refuse_placed_twice(form, "channel", channel.name, channel.placed);
     channel.edge = index;

@@ -106,7 +106,7 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
         refuse(reference.at, fmt::format("\"{}\" has no links: it is {}", node.name, with_article(node.type)),
                fmt::format("connect to one of its slots: connect sun.bus[0] to {}.slot[1];", node.name));
     if (reference.field.empty())
-        refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
+        refuse(reference.at, fmt::format("a link of \"{}\" must be named", node.name),
                fmt::format("write {}.link[...], with a number from 0 to {}", node.name, links - 1));
     if (reference.field == "config" && node.kind->is_set_by_link()) {
         if (!reference.field_subscripts.empty())
@@ -138,7 +138,7 @@ DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& fo
     }
     const auto& process = draft_.processes[index];
     if (reference.field.empty())
-        refuse(reference.at, fmt::format("a channel of the process \"{}\" is missing", process.name),
+        refuse(reference.at, fmt::format("a channel of the process \"{}\" must be named", process.name),
                channels_of(process));
     auto given = subscripts(reference.field_subscripts);
     DraftChannelEnd end{index, nowhere, element_name(reference.field, given), reference.field_at};
@@ -162,7 +162,7 @@ void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& 
     if (given.size() != port.dimensions.size())
         refuse(reference.field_at,
                fmt::format("{}: \"{}\" has {}, but the statement gives {}",
-                           given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
+                           given.size() < port.dimensions.size() ? "subscripts of the channel are missing"
                                                                  : "wrong number of subscripts",
                            port.name, port.dimensions.size(), given.size()),
                "", {{"declared here", port.at}});

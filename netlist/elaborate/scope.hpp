@@ -42,6 +42,7 @@ struct Symbol {
     Location declared; ///< empty if the name is predefined
 };
 
+/// Returns a text for messages, such as "an array of nodes".
 std::string describe(const Symbol& symbol);
 
 /// Holds the visible names. A name is visible from its declaration to the end of its block; an inner block may declare

@@ -20,7 +20,7 @@ bool is_character(const Constant& constant) {
     return code != nullptr && code->value > ' ' && code->value <= '~';
 }
 
-/// Returns a hint that names the command for trying several values, if the text lists several; otherwise "".
+/// If the text lists several values, returns a hint that names the command for trying several values; otherwise "".
 std::string hint_at_sweep(const SetStatement& set) {
     const bool lists = set.typed.find(',') != std::string::npos || set.typed.find("..") != std::string::npos;
     return !lists || set.typed.find('(') != std::string::npos
@@ -83,8 +83,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     throw StatementRefused{};
 }
 
-/// Returns the value that an option gives to the val, or the original value if there is no such option. Options reach
-/// only vals outside of blocks.
+/// Returns the value that an option gives to the val, or the original value if there is no such option. Options can
+/// set only vals outside of blocks.
 Constant Elaborator::overridden(const std::string& name, const Constant& original) {
     if (!scopes_.outermost()) {
         vals_in_blocks_.insert(name);
@@ -138,8 +138,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// Returns the element of that name, or the elements of the array; all elements if the name is empty. If the option may
-/// mean unnamed wires or places on buses, names them first.
+/// Returns the element of that name, or the elements of the array; all elements if the name is empty. Wires and places
+/// on buses without a name are named first if the option may refer to them.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);

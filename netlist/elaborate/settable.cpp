@@ -55,7 +55,8 @@ Members members_of(const ProcessKind* kind, const Interface* interface) {
     return members;
 }
 
-/// Returns the members of each connection, which depend on whether it wires links or puts a master on a bus.
+/// Returns the members of each connection. They depend on whether the connection joins links or attaches a master to a
+/// bus.
 std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     const Members all = members_of(connection_attributes());
     const auto of_none = std::make_shared<const Members>(),
@@ -71,8 +72,8 @@ std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     return members;
 }
 
-/// Lists the names of the elements. Elements with equal lists of members form a group. An array is listed by its base
-/// name.
+/// Returns a text with the names of the elements. Elements with equal lists of members form a group, which is followed
+/// by these members. An array is listed by its base name.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, and names of the elements
     for (const Settable& each : elements) {

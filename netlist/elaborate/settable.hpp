@@ -19,8 +19,7 @@ struct SettableMember {
     const ParameterDescription* description = nullptr; ///< null if only an interface declares the parameter
     bool takes_text = false;
 
-    /// Returns a text about the allowed values, such as "expected an integer at least 1"; "" if the allowed
-    /// values are not known.
+    /// Returns a hint about the allowed values, such as "expected an integer at least 1"; "" if they are not known.
     std::string what_it_takes() const;
 };
 
@@ -35,14 +34,15 @@ struct Settable {
     const char* noun_of_member() const;
     /// Returns the member of that name; null if there is none, or if only icconf uses the member.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
-    /// Returns whether an option can set the member. Members that only icconf uses count, too. When an option
-    /// sets every element, a connection without a `linkspeed` is skipped: its speed follows from its ends.
+    /// Returns whether an option can set the member, including members that only icconf uses. If `as_every_element`,
+    /// the option sets all elements that have the member; it then leaves out each connection without a `linkspeed`,
+    /// whose speed follows from its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
     /// REQUIRES: has(setting.name). Throws StatementRefused after reporting an error. Values of parameters are checked
     /// later, together with the values in the netlist.
     void set(const Setting& setting, Reporter&) const;
-    /// Returns "it has memory, clock ..."; a long list is cut short. For a process with a kind, the text then names the
-    /// command that lists all parameters.
+    /// Returns "it has memory, clock ..."; a long list is cut short. If the list of a process
+    /// with a kind is cut short, the text names the command that lists all parameters.
     std::string text_of_members() const;
 };
 

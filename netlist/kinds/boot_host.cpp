@@ -25,11 +25,11 @@ void BootHost::serve() {
         answer(request);
     }
     if (state_ == iserver::ServerState::waits_for_input && !abandoned_)
-        wait_for_link(Activity::inputting); // for ever, since the request gets no reply
+        wait_for_link(Activity::inputting); // waits for ever, since this request has no reply
 }
 
-/// Answers a request. The host also replies to the last request, but does not wait until the program has taken this
-/// reply, since many programs never take it.
+/// Answers a request. The host also replies to the request that ends the program, but does not wait until the program
+/// has taken this reply, since many programs never take it.
 void BootHost::answer(iserver::ByteView request) {
     ++requests_;
     if (request_time_ > Time{0})

@@ -22,15 +22,16 @@ using Answering = std::function<iserver::Answer(iserver::ByteView request, std::
 /// program's requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `file`: empty if the transputer already has its program when the run begins. `request_time`: how long the host
-    /// works on a request. REQUIRES: request_time >= 0.
+    /// `file` is empty if the transputer already has its program when the run begins. `request_time` is the time for
+    /// which the host works on a request. REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
-    /// Boots and serves; the body of the host's process. Returns when the program has exited, or when it sends a packet
-    /// that cannot be read. Waits for ever when the program asks for input and none is left.
+    /// Boots the transputer and serves its program. This is the body of the host's process. Returns when the program
+    /// has exited, or when it sends a packet that cannot be read. Waits for ever when the program asks for input and
+    /// none is left.
     void serve();
 
-    /// Ends serve(): a transputer has stopped.
+    /// Ends serve(). Called when a transputer has stopped.
     void abandon();
 
     /// The functions below return results of serve().

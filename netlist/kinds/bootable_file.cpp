@@ -24,7 +24,7 @@ bool begins_with(std::span<const std::uint8_t> bytes, std::string_view text) {
 
 bool is_control(char32_t code) {
     return code == 0x7f ||
-           (code < ' ' && code != '\t' && code != '\n' && code != '\r' && code != 26); // 26 ends DOS files
+           (code < ' ' && code != '\t' && code != '\n' && code != '\r' && code != 26); // DOS ends texts with 26
 }
 
 /// Returns whether the first bytes are text. Text has no control characters. At most one byte in 8 may be outside

@@ -30,7 +30,7 @@ transputer::CoreTiming timing_of(const Node& node) {
             .wraps = node.integer("wraps") != 0};
 }
 
-/// Returns whether a host serves some program of the network.
+/// Returns whether some program of the network is served by a host.
 bool serves_a_program(const Network& network) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i)
         if ((network.nodes[i].image || !network.nodes[i].boot_file.empty()) && link_to_host(network, i))
@@ -104,7 +104,7 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
         await_end();
 }
 
-/// Counts the instructions, or lets the user execute them one by one.
+/// If the user has requested this, makes the node count its instructions, or lets the user execute them one by one.
 void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
@@ -116,8 +116,8 @@ void BootedNode::watch_code() {
 
 BootedNode::~BootedNode() = default;
 
-/// Makes a process that waits until the image has ended. Without it the run would end at once: a run ends when its
-/// processes have ended.
+/// Makes a process that waits until all processes of the image have ended. Without this process the run would end at
+/// once, since a run ends when the processes of the simulation have ended.
 void BootedNode::await_end() {
     device_.when_idle([this] { notice_end(); });
     simulation().process("the code of " + node().name, [this] {
@@ -155,7 +155,8 @@ void BootedNode::has_link(hardware::Link& link) {
             std::make_unique<transputer::ByteLink>(link, partner->device_.end(other.link), device_.end(own.link)));
 }
 
-/// Connects the host of a booted program or of an image. The edges at other links are left open.
+/// Connects the host of a node that is booted with a file, or that has an image. A node has one host: at further links
+/// that lead to edges, nothing is connected.
 void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own_is_a) {
     if ((node().boot_file.empty() && !node().image) || host_ || outside_)
         return;
@@ -178,7 +179,7 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
     });
 }
 
-/// Returns the other end of the wire, where processes output and input messages.
+/// Returns the other end of the wire, at which processes of the simulation output and input messages.
 transputer::MessageEnd& BootedNode::message_end(std::size_t connection) {
     auto [found, added] = message_ends_.try_emplace(connection, node().name);
     if (added) {
@@ -223,7 +224,7 @@ FaultEffects BootedNode::suffer(const Fault& halts) {
 
 namespace {
 
-/// Says why a core has stopped, and at which place in the source, if the place is known.
+/// Returns why a core has stopped, and at which place in the source, if the place is known.
 std::string stop_of(const transputer::Core& core, const transputer::CodeLines& lines) {
     const bool is_behind = core.stopped() == transputer::Stopped::by_break;
     const std::string place = lines.file_place(core.registers().instruction - (is_behind ? 1 : 0));

@@ -54,16 +54,17 @@ private:
     transputer::MessageEnd& message_end(std::size_t connection);
 
     transputer::Node& device_;
-    hardware::Link* last_link_ = nullptr; ///< the link of the last call of has_link()
+    hardware::Link* last_link_ = nullptr; ///< the link that was passed to the last call of has_link()
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
     std::map<std::size_t, transputer::MessageEnd>
-        message_ends_; ///< key: connection; the ends of wires where processes output and input
+        message_ends_; ///< the ends of wires at which simulated processes output and input; key: index in
+                       ///< Network::connections
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
-    Process* awaits_end_ =
-        nullptr; ///< process that waits for the end of the image, so that the run continues; null if none waits
-    std::unique_ptr<OutsideHost> outside_; ///< instead of `host_`, if another program serves the link
+    Process* awaits_end_ = nullptr; ///< process that keeps the run alive until the processes of the image have ended;
+                                    ///< null if there is none
+    std::unique_ptr<OutsideHost> outside_; ///< used in place of `host_` if another program serves the link
 };
 
 } // namespace placedpar

@@ -23,7 +23,8 @@ public:
 
 } // namespace
 
-/// Returns the kind of a transputer with a place on a bus: the transputer with one more attribute and one more fault.
+/// Returns the kind of a transputer that is in a slot of a bus. Compared with other transputers, it has one more
+/// attribute and one more fault.
 DeviceKind bus_master() {
     DeviceKind kind = transputers();
     kind.name = "bus master";

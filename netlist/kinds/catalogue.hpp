@@ -16,7 +16,7 @@ namespace placedpar {
 class FileKinds; // netlist/kinds/file_kinds.hpp
 
 /// Holds the kinds of processes and devices by name; netlists are read with a catalogue. Every catalogue has the
-/// devices of this room; a program adds its process kinds and its own devices.
+/// devices of devices.hpp; a program adds its process kinds and its own devices.
 class Catalogue {
 public:
     Catalogue();

@@ -94,12 +94,12 @@ std::vector<AttributeDescription> core_attributes() {
     std::vector<AttributeDescription> attributes{
         {.value = description::integer(
              "clock", {.unit = "Hz", .by_default = hardware::CoreCosts::usual_clock, .least = 1, .most = 1e12},
-             "clock frequency; costs are in cycles of this clock, by default 1 ns"),
+             "clock frequency; costs are in cycles of this clock; by default a cycle is 1 ns"),
          .decimal_suffixes = true,
          .json_name = "clock_hz"}};
-    attributes.push_back(cost("channelcall", 0, "an input or output between processes of the core"));
-    attributes.push_back(cost("crossing", 0, "an input or output between processes of two cores"));
-    attributes.push_back(cost("switching", 0, "a switch to the next process"));
+    attributes.push_back(cost("channelcall", 0, "cost of an input or output between processes of one core"));
+    attributes.push_back(cost("crossing", 0, "cost of an input or output between processes of two cores"));
+    attributes.push_back(cost("switching", 0, "cost of a switch to the next process"));
     attributes.push_back(cost("patience", 20'000, "time without work after which the thread sleeps"));
     attributes.push_back(cost("waking", 0, "time to wake a sleeping thread"));
     attributes.push_back(cost(
@@ -112,8 +112,8 @@ std::vector<AttributeDescription> core_attributes() {
 DeviceKind core() {
     return {.name = std::string(kind_of_cores),
             .noun = "a core",
-            .about = "A core of a computer that runs a thread of a native run: processes run in turn, whatever their "
-                     "priority, and a thread without work sleeps.",
+            .about = "A core that runs one thread of a native run: its processes run in turn, whatever their priority, "
+                     "and the thread sleeps while it has no work.",
             .models = {{.name = "core"}},
             .attributes = core_attributes(),
             .executes = Execution::in_time,

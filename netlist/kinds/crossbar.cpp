@@ -63,8 +63,8 @@ std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t n
 
 } // namespace
 
-/// Returns the kind of a C004. Drawings for Graphviz omit a C004 that no program sets: wires are drawn from end to end,
-/// with the number of switches between.
+/// Returns the kind of a C004. Drawings for Graphviz omit a C004 that no program sets: a wire through such
+/// switches is drawn from end to end, and its label states how many switches it leads through.
 DeviceKind crossbar() {
     return {.name = "c004",
             .noun = "a switch",

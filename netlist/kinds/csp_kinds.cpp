@@ -30,7 +30,8 @@ Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
 
-/// Computes for a packet: the parameters `cycles` and `words` state processor cycles and accesses outside the chip.
+/// Simulates the computation for a packet. The parameters `cycles` and `words` state its processor cycles, and its
+/// accesses to memory outside of the chip.
 class Work {
 public:
     explicit Work(const ProcessEnvironment& environment)
@@ -47,7 +48,7 @@ private:
 // the report of the run lists the neighbour. A ring deadlocks at once if none of its processes outputs first
 // (examples/csp/deadlock).
 
-/// Inputs a packet, computes and hands the packet on, `count` times.
+/// Does the following `count` times: inputs a packet, computes, and hands the packet on.
 template <class HandOn>
 void relay(ProcessEnvironment& environment, HandOn hand_on) {
     auto from = environment.input<Packet>("in");
@@ -121,7 +122,7 @@ void consume(ProcessEnvironment& environment) {
     }
 }
 
-/// Returns a relay's statements in Promela: an input, then `and_then`, `count` times.
+/// Returns the statements of a relay in Promela: `count` times, an input followed by the statements of `and_then`.
 PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_then) {
     return [and_then = std::move(and_then)](const PromelaProcess& self) {
         return promela_loop(self.integer("count"), self.channel("in") + " ? m;\n" + and_then(self));
@@ -130,7 +131,7 @@ PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_
 
 std::string nothing(const PromelaProcess&) { return ""; }
 
-/// Returns the statements that output to each of the outputs, in order.
+/// Returns statements in Promela that output the packet to all channels of the port `out`, in order.
 std::string handed_on(const PromelaProcess& self) {
     std::string statements;
     for (const std::string& out : self.channels("out"))
@@ -152,7 +153,7 @@ ProcessKind producer_kind() {
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
 
-/// Returns a kind that inputs packets and outputs them again; `body` decides how.
+/// Returns a kind whose processes input packets and output them again. `body` decides in which way.
 ProcessKind relay_kind(std::string name, std::string about, std::function<void(ProcessEnvironment&)> body) {
     return {.name = std::move(name),
             .about = std::move(about),
@@ -211,7 +212,7 @@ ProcessKind consumer_kind() {
             .parameters = {packet_count(), packet_cycles(), packet_words()},
             .measurements = {{"time", "ms", "time from the start of the run to the last packet"},
                              {"last_number", "", "the number of the last packet"},
-                             {"time_per_packet", "us", "mean"},
+                             {"time_per_packet", "us", "mean time for a packet"},
                              {"rate", "Kbyte/s", "rate of the packets' bytes; 1 Kbyte is 1000 bytes"}},
             .body = consume,
             .is_determinate = always,

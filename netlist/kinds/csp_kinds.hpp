@@ -10,10 +10,11 @@ struct ProcessKind;
 /// netlist, to measure a link, and to demonstrate deadlocks.
 void add_csp_kinds(Catalogue&);
 
-/// csp_recovery.cpp: variants of csp.producer and csp.consumer whose time-outs let them survive a link that fails.
+/// csp_recovery.cpp: variants of csp.producer and csp.consumer that use time-outs, so that they survive a link that
+/// fails.
 ProcessKind sender_or_fail_kind();
 ProcessKind receiver_or_fail_kind();
-/// switch_kinds.cpp: the logic of a C004, and a process that sets the switch.
+/// switch_kinds.cpp: a process that is the logic of a C004, and a process that sets this switch.
 ProcessKind switch_logic_kind();
 ProcessKind switch_setter_kind();
 

@@ -1,4 +1,4 @@
-// These processes survive a failing link.
+// These processes use time-outs, so that they survive a link that fails.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -74,7 +74,7 @@ void consume_or_fail(ProcessEnvironment& environment) {
     environment.measure("bytes_of_pieces", static_cast<double>(bytes_of_pieces), "bytes");
 }
 
-/// Returns why a message on the channel cannot be given up; "" if it can.
+/// Returns the reason why a message on the channel cannot be given up; "" if it can be given up.
 std::string why_not_given_up(const Network& network, const NetworkChannel& channel) {
     const ChannelPlacement& at = channel.placement;
     if (at.in_packets)

@@ -4,7 +4,7 @@ namespace placedpar::description {
 
 namespace {
 
-/// Converts an optional of one of Value's alternatives.
+/// Converts an optional integer, real or text to an optional Value.
 template <class T>
 std::optional<Value> as_value(std::optional<T> value) {
     return value ? std::optional<Value>(std::move(*value)) : std::nullopt;

@@ -19,23 +19,23 @@ class MachineNode;   // netlist/kinds/machine_node.hpp: the device in a run
 struct MachineParts; // parts of a run; same header
 class Reporter;      // text/reporter.hpp
 
-/// Says how wires end at a device.
+/// States how wires end at a device.
 enum class LinkRole {
     ends,    ///< numbered links, at which wires end
     crosses, ///< numbered links; a crosspoint joins the wires at two of them
     edge     ///< no links: the node is an end of the network
 };
 
-/// Says what a device does in a slot of another device (Medium). If that device is a VMEbus, the MachineNode of the
+/// States what a device does in a slot of another device (Medium). If that device is a VMEbus, the MachineNode of the
 /// device in the slot must also derive from OnVme.
 enum class BusRole {
     none,        ///< the device cannot be in a slot
     workstation, ///< a master whose byte order differs from a transputer's
     bus_master,  ///< a transputer that is a master and shares its memory with the bus
-    adapter      ///< registers that give access to the device at the other end of the adapter's link
+    adapter ///< a link adapter: by its registers, a master exchanges bytes with the device at the other end of its link
 };
 
-/// Says when processes on a device take time.
+/// States when processes on a device take time.
 enum class Execution {
     none, ///< no processes can be placed on the device
     in_time,
@@ -57,8 +57,8 @@ struct FaultKind {
     std::string about;                                 ///< one line
     std::vector<AttributeDescription> attributes = {}; ///< times in ns
     bool silences_links = false;                       ///< for a device: its links send nothing after the fault begins
-    /// Returns why the device cannot have this fault although each attribute by itself is valid; "" if the fault is
-    /// possible. An empty function means that the fault is always possible.
+    /// Returns the reason why the device cannot have this fault, although each attribute by itself is valid; "" if the
+    /// fault is possible. An empty function means that the fault is always possible.
     std::function<std::string(const Network&, const Fault&)> why_not = {};
 
     /// Returns the attribute of this name; null if there is none.
@@ -71,9 +71,9 @@ struct DeviceModel {
     std::string type = ""; ///< type of its nodes, such as "T800" for a B404; "": `name` is the type
     int links = 0;         ///< link[0] to link[links - 1]
     std::map<std::string, Value, std::less<>> attributes = {}; ///< attributes that differ from the kind's defaults
-    bool overlapped_acknowledge = true;                        ///< its links acknowledge a byte while the byte comes in
-    bool floating_point_unit = true;                           ///< see Node
-    bool needs_type = false; ///< stands for any other model of the kind, which the attribute `type` names
+    bool overlapped_acknowledge = true; ///< its links send the acknowledge of a byte while the byte arrives
+    bool floating_point_unit = true;    ///< see Node::floating_point_unit
+    bool needs_type = false;            ///< stands for any other model of the kind, which the attribute `type` names
 };
 
 /// Holds the parts of a network that a Medium can use while the network is checked.
@@ -103,7 +103,7 @@ struct Drawing {
     Shape shape = Shape::box;
     std::string frame = "", heading = ""; ///< colours of the border, and of the background of the name
     bool in_first_row = false;
-    std::string legend = ""; ///< its text in the legend
+    std::string legend = ""; ///< text of the device in the legend of the drawing
 };
 
 /// Describes a kind of device: all facts needed to read, check and print a netlist with the device, and a function that
@@ -118,20 +118,20 @@ struct DeviceKind {
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
     std::vector<std::string> kept = {};   ///< attributes that only icconf uses: read and printed, but without effect
-    Execution executes = Execution::none; ///< a node that executes processes must be connected to another node
-    /// For a switch that is set during the run, the kind of the process that executes the commands from the switch's
-    /// link `config`. Only one process, of this kind, can be placed on the switch.
+    Execution executes = Execution::none; ///< if not `none`, the nodes must be connected to other nodes
+    /// Names, for a switch that is set during the run, the kind of the process that executes the commands from the
+    /// switch's link `config`; "" for any other device. Only one process, of this kind, can be placed on the switch.
     std::string logic = "";
     bool passes_channels_on = false; ///< channels between other nodes may lead through the device; the kind then has
                                      ///< the attributes "routecost" and "linkquota"
-    /// Returns why a node with these attributes is impossible although each attribute by itself is valid; "" if it is
-    /// possible. An empty function accepts every node.
+    /// Returns the reason why a node with these attributes is impossible, although each attribute by itself is valid;
+    /// "" if the node is possible. An empty function accepts every node.
     std::function<std::string(const Node&)> why_not = {};
     BusRole bus = BusRole::none;
     std::optional<Medium> medium = {};  ///< set for a device with slots
     std::vector<FaultKind> faults = {}; ///< faults that its nodes can have, besides the faults of their links
     /// Returns the names of the device's own tracks in a trace, besides the tracks of processes and links. Each name
-    /// equals a PlaceTaken::place. If the function is empty, the device has no such tracks.
+    /// is the PlaceTaken::place of some trace events. If the function is empty, the device has no such tracks.
     std::function<std::vector<std::string>(const Network&, std::size_t node)> tracks = {};
     /// Makes the device in a run. If the function is empty, the device does nothing in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
@@ -162,7 +162,7 @@ std::size_t count_processors(const Network& network);
 struct NodeType {
     Node preset; ///< a node with the attributes of the type, and without a name
     int links = 0;
-    bool needs_type = false; ///< see DeviceModel
+    bool needs_type = false; ///< see DeviceModel::needs_type
 };
 
 /// Returns the model's type, with the attributes of the kind and of the model.

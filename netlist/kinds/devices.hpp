@@ -21,7 +21,7 @@ DeviceKind vme();
 DeviceKind link_adapter();
 /// Describes a transputer on a bus, such as the BBK-V2.
 DeviceKind bus_master();
-/// Describes a core of this computer, which runs a thread of a native run.
+/// Describes a core of this computer, on which one thread of a native run is executed.
 DeviceKind core();
 /// Describes the memory through which cores communicate.
 DeviceKind shared_memory();

@@ -25,8 +25,9 @@ struct Measurement {
     std::string unit; ///< "" if the value has no unit
 };
 
-/// Gives a running process what the netlist defines for it: the channels at its ports, its parameters, its random
-/// streams. A process does not need to know its placement, nor whether its channels lead over links.
+/// Gives a running process access to what the netlist defines for the process: the channels at its ports, its
+/// parameters, and its random streams. A process does not need to know its placement, nor whether its channels lead
+/// over links.
 ///
 /// Throws std::logic_error if the kind does not have the port or parameter, or has it with another protocol or type.
 /// Such an error is a defect of the kind. input() and output() throw UserError if the netlist connects the port as an
@@ -74,8 +75,8 @@ public:
         return ends<Input<T>>(port, [this](AnyChannel& each) { return channel<T>(each).in(); });
     }
 
-    /// Returns the random stream of the run's seed and the given name: two processes that name the same stream draw the
-    /// same numbers.
+    /// Returns the random stream that the run's seed and the given name determine. Two processes that use the same name
+    /// draw the same numbers.
     RandomStream random_stream(std::string_view name) const { return RandomStream(seed_, name); }
     std::uint64_t seed() const { return seed_; }
 

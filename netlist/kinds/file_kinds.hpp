@@ -13,15 +13,15 @@
 
 namespace placedpar {
 
-/// Says how source files are compiled.
+/// Holds the options with which source files are compiled.
 struct CompileChoices {
     std::string mode = "halt";   ///< effect of an error at run time: halt, stop or universal
-    bool range_checks = true;    ///< checks of subscripts and the like
+    bool range_checks = true;    ///< whether subscripts, segments, conversions and counts are checked
     bool run_time_checks = true; ///< whether errors at run time, including overflow, are checked
 };
 
-/// Makes process kinds from source files, and images from the processes on a node. A netlist names a source file as the
-/// program of a process. Several threads may use one object.
+/// Makes process kinds from source files in occam, and from the processes on a node the program of this node, its
+/// image. A netlist names a source file as the program of a process. Several threads may use one object.
 class FileKinds {
 public:
     virtual ~FileKinds() = default;
@@ -37,11 +37,12 @@ public:
     /// Returns the paths of the files from which the kind is made, without files that are built into the program.
     virtual std::vector<std::string> files_of(std::string_view name) const = 0;
 
-    /// States how image() compiles from now on.
+    /// Sets the options with which image() compiles from now on.
     virtual void choose(const CompileChoices&) = 0;
-    /// Makes the program of a node: all its processes that are code, and code that passes on messages between such
-    /// processes on other nodes. Returns null after reporting errors. REQUIRES: a channel between this program and a
-    /// process that is not code shares no wire of the node with another channel in its direction.
+    /// Makes the program of a node. It has all processes in occam on the node, and processes that pass on messages
+    /// between processes in occam on other nodes. Returns null after reporting errors. REQUIRES: if a channel leads
+    /// from this program to a process that is not in occam, or back, no other channel uses its wire in the same
+    /// direction.
     virtual std::shared_ptr<const transputer::Image> image(const Network&, std::size_t node, Reporter&) = 0;
 };
 

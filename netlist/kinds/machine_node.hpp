@@ -61,14 +61,14 @@ public:
     virtual void has_link(hardware::Link&) {}
     /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// Tells the device that a link leads through it while the device connects this crossing. REQUIRES:
-    /// DeviceKind::is_set_by_link().
+    /// Tells the device that a link leads through it whenever the device connects the two links of this crossing.
+    /// REQUIRES: DeviceKind::is_set_by_link().
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
     /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
     /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
-    /// Puts the channel on a wire between a process and the node's own code, which sends or receives the messages.
-    /// REQUIRES: the node runs its own code; the channel leads over this hop (NetworkChannel).
+    /// Puts the channel on a wire. One end of the channel is a process; at the other end, the node's own code sends or
+    /// receives the messages. REQUIRES: the node runs its own code; the channel leads over this hop (NetworkChannel).
     virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
@@ -81,7 +81,8 @@ public:
     /// Returns the processes of the device's own program that wait. Called after a run that ended in a deadlock.
     virtual std::vector<ProgramWait> program_waits() const { return {}; }
 
-    /// Returns the engine of a link whose partner changes during the run.
+    /// Returns the engine that transfers messages between the node's memory and a link whose partner changes during the
+    /// run.
     hardware::SharedEngine& engine(int link, bool outputs);
     /// Returns the router that passes packets on over the node's links. The first call makes the router.
     hardware::Router& router();

@@ -15,7 +15,7 @@ namespace placedpar {
 struct ProcessorUse {
     std::string name;
     std::string type;
-    Time busy;                  ///< time spent executing processes, including waits for the processor's memory
+    Time busy; ///< time for which the processor executed processes, including their waits for its memory
     Time memory_taken_by_links; ///< time in which the memory served the link engines, whether the processor was busy or
                                 ///< not
     std::uint64_t packets_passed_on = 0; ///< packets of channels that lead through the processor
@@ -65,7 +65,7 @@ struct FaultUse {
     std::optional<Hit> first, last;            ///< first and last hit
     std::vector<std::string> stopped_channels; ///< channels that wait for ever because the fault stopped their packets
     std::vector<std::string> stopped;          ///< processes that had not ended when their processor halted
-    std::optional<Time> held_since;            ///< time at which the hogging master got the bus
+    std::optional<Time> held_since;            ///< time from which the master of the fault `hogged` held the bus
     std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
 
     bool had_effect() const {
@@ -91,7 +91,7 @@ struct SwitchUse {
 /// Holds the report of a device of another kind, as a table.
 struct DeviceUse {
     std::string title;                ///< "ring r"
-    Time busy;                        ///< time for which the device carried something
+    Time busy;                        ///< time for which the device carried messages
     std::vector<std::string> columns; ///< headings; the first is the heading of the row names
     struct Row {
         std::string name;

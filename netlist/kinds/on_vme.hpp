@@ -11,7 +11,7 @@ namespace placedpar {
 struct OnVme {
     virtual ~OnVme() = default;
 
-    hardware::BusProgram program = {};            ///< program by which a master uses the bus
+    hardware::BusProgram program = {};            ///< how a master's program uses the bus
     hardware::DualPortedMemory* memory = nullptr; ///< memory of a bus master; set by the bus
     hardware::BusSlave* slave = nullptr;          ///< the slave that answers for the device; set by the bus
 };

@@ -19,13 +19,14 @@ void OutsideHost::serve() {
     board_.write(from_machine_);
 }
 
-/// Returns false if the program has closed the link.
+/// Passes on the bytes that have arrived, in both directions. Returns false if the program has closed the link, or if
+/// nothing can happen any more.
 bool OutsideHost::pass_bytes_on() {
     if (!board_.write(std::exchange(from_machine_, {})))
         return false;
     const bool only_program_can_act = Kernel::here().future().empty();
     std::optional<iserver::Bytes> bytes = board_.read(only_program_can_act);
-    if (!bytes || (gives_ && only_program_can_act)) // the machine will never take what was sent
+    if (!bytes || (gives_ && only_program_can_act)) // the machine will never take the bytes that were sent
         return false;
     from_program_.insert(from_program_.end(), bytes->begin(), bytes->end());
     if (gives_ || from_program_.empty())

@@ -14,21 +14,21 @@ namespace iserver {
 class OfferedBoard; // iserver/offered_board.hpp
 } // namespace iserver
 
-/// Lets a program outside the simulation act as the host at a link of an emulated transputer. Virtual time does not
-/// wait for this program, except while nothing else can happen. The times of the program's bytes therefore differ from
-/// run to run.
+/// Lets a program outside the simulation act as the host at a link of an emulated transputer. Virtual time
+/// waits for this program only while nothing else can happen. The times at which the program's bytes arrive therefore
+/// differ from run to run.
 class OutsideHost final : public transputer::ByteEnd {
 public:
-    /// The simulated time between two checks for bytes from the program.
+    /// The host checks for bytes from the program at intervals of this simulated time.
     static constexpr Time looks_every = std::chrono::microseconds{100};
 
     /// REQUIRES: a program has connected to the board, which outlives the run.
     explicit OutsideHost(iserver::OfferedBoard& board) : board_(board) {}
 
-    /// Passes bytes in both directions; the body of the host's process. Returns when the program closes the link, or
-    /// when the transputer has stopped.
+    /// Passes bytes in both directions. This is the body of the host's process. Returns when the program closes the
+    /// link, or when the transputer has stopped.
     void serve();
-    /// Ends serve(): a transputer has stopped.
+    /// Ends serve(). Called when a transputer has stopped.
     void abandon();
 
 private:

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// Returns the result of `work`, which calls code of the kind. If a program built on PlacedPar adds the kind, any
-/// exception becomes a UserError with the same text. A UserError is rethrown unchanged.
+/// Returns the result of `work`, which calls functions of the kind. If a program built on PlacedPar has added the kind,
+/// any exception of these functions becomes a UserError with the same text. A UserError is rethrown unchanged.
 template <class Kind, class Work>
 auto ask_kind(const Kind& kind, const Work& work) {
     try {
@@ -26,8 +26,8 @@ auto ask_kind(const Kind& kind, const Work& work) {
     }
 }
 
-/// Calls the code of a process's kind. The UserError also names the process and its place in the netlist, and contains
-/// `what`, the question to the kind, such as "whether it is determinate".
+/// Calls functions of a process's kind as above. The UserError also names the process and its place in the netlist, and
+/// contains `what`, the question to the kind, such as "whether it is determinate".
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {
@@ -38,7 +38,7 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     }
 }
 
-/// Calls the code of a device's kind. The UserError also names the node and its place in the netlist.
+/// Calls functions of a device's kind as above. The UserError also names the node and its place in the netlist.
 template <class Work>
 auto ask_device(const Node& node, const Work& work) {
     try {

@@ -19,7 +19,7 @@ struct Packet {
 };
 
 /// The byte form of a packet is its number, as an INT of four bytes, followed by zeros up to the length. If a
-/// transputer's own code outputs an INT, a process inputs it as a packet.
+/// transputer's own code outputs an INT, a process inputs this INT as a packet of four bytes.
 template <>
 struct ByteForm<Packet> {
     using SameAs = std::int32_t;

@@ -26,7 +26,7 @@ struct ParameterDescription {
     /// True if the parameter counts cycles of real-number arithmetic. The default value then assumes a floating-point
     /// unit.
     bool computes_reals = false;
-    std::string noun = ""; ///< topic on which the program has more help (`deciding`); "": none
+    std::string noun = ""; ///< topic of the help text that lists the values (description::deciding); "": none
 };
 
 /// Returns "from 2 to 100 bytes", "at least 2 bytes" or "at most 100 bytes". REQUIRES: the parameter has a range.

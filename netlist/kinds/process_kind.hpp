@@ -24,19 +24,19 @@ struct PortDescription {
     std::string name;
     Direction direction;
     bool optional;        ///< false if every netlist must connect the port
-    std::string protocol; ///< the protocol's name, for people
+    std::string protocol; ///< the protocol's name in messages and reports
     std::type_index type; ///< the C++ type that the channel carries; both ends must agree
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
-    bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
+    bool has_byte_form = false; ///< a transputer's own code can send or receive the messages (HasByteForm)
     std::type_index bytes_as =
         type; ///< the C++ type with the same byte form as the messages: `type`, or ByteForm::SameAs
-    /// Lists the C++ types that have the same byte form as the messages. Only ports of code have them
-    /// (ProcessKind::is_code).
+    /// Lists the C++ types that have the same byte form as the messages. Only ports of processes in occam have such a
+    /// list (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
     std::int64_t elements = 0; ///< number of channels of the port; 0: the netlist decides
-    bool to_host = false; ///< if the port is not connected, it leads to the host of the node; only for ports of code
+    bool to_host = false;      ///< a port that is not connected leads to the host; only for processes in occam
 };
 
 /// Describes a quantity that a process of this kind measures and reports at the end of a run.
@@ -72,14 +72,14 @@ struct ProcessKind {
     /// components of its PARs, for example, are not allowed. Runs of such processes with other seeds need not be
     /// simulated on the machine (repeated_run.hpp). An empty function means no.
     std::function<bool(const Network&, std::size_t process)> is_determinate = {};
-    /// Returns the Promela statements of a process of the kind. If empty, networks with such processes cannot be
-    /// printed for Spin.
+    /// Returns the Promela statements of a process of the kind. If the function is empty, networks with such processes
+    /// cannot be printed for Spin.
     PromelaStatements promela = {};
     /// True if a program built on PlacedPar adds this kind. An exception from the kind or from its processes is then an
     /// error of that program, not a defect of PlacedPar.
     bool is_own = false;
-    /// True if the kind is made from a source file (FileKinds). Its processes are then code, which their node executes,
-    /// and the kind has no body.
+    /// True if the kind is made from a source file in occam (FileKinds). The emulated transputer then executes the
+    /// compiled code of its processes, and the kind has no body.
     bool is_code = false;
     std::uint64_t text_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
 

@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// Finds which process waits for which. Each process has a number: first the processes of programs, then the processes
-/// of the report.
+/// Finds which processes wait for which other processes. Each process has a number: the processes of programs come
+/// first, followed by the processes in the report of the deadlock.
 class ProgramWaitGraph {
     static constexpr std::size_t no_process = static_cast<std::size_t>(-1);
 
@@ -39,7 +39,7 @@ public:
 
     const std::string& path(std::size_t process) const { return waiting_[process].path; }
 
-    /// Returns the processes that would use this end of a channel, except `waiting`.
+    /// Returns the processes that could use this end of a channel, except `waiting`.
     std::vector<std::size_t> partners(const ProgramEnd& end, std::size_t waiting = no_process) const {
         const auto found = comes_to_.find(end);
         std::vector<std::size_t> result = found == comes_to_.end() ? std::vector<std::size_t>{} : found->second;
@@ -47,7 +47,7 @@ public:
         return result;
     }
 
-    /// Returns the process of the netlist that used this end until it ended, or "none found".
+    /// Returns the process of the netlist that used this end of a channel until the process ended, or "none found".
     std::string ended_user(const ProgramEnd& end) const {
         const auto found = ended_users_.find(end);
         return found == ended_users_.end() ? "none found" : found->second + " (has ended)";
@@ -119,7 +119,7 @@ private:
         way_.push_back({process, awaited_by(process)});
     }
 
-    /// Returns the processes for which a process waits. The search follows the last of them first.
+    /// Returns the processes for which a process waits. The search follows the last process of the list first.
     std::vector<std::size_t> awaited_by(std::size_t process) const {
         std::vector<std::size_t> result;
         std::ranges::copy(waiting_[process].components, std::back_inserter(result));
@@ -130,7 +130,7 @@ private:
     }
 
     std::vector<Waiting> waiting_;
-    std::map<std::string, std::size_t> numbers_; ///< number of each process, by path
+    std::map<std::string, std::size_t> numbers_; ///< number of each process; key: path
     std::map<ProgramEnd, std::vector<std::size_t>> comes_to_;
     std::map<ProgramEnd, std::string> ended_users_;
     std::vector<WaitStep> way_;
@@ -139,7 +139,7 @@ private:
     std::vector<std::size_t> cycle_;
 };
 
-/// Names processes of programs in the rows of channels that lead to them.
+/// Writes the names of processes of programs into the rows of the channels that lead to these processes.
 void name_partners(std::vector<StuckChannel>& rows, const ProgramWaitGraph& graph) {
     for (StuckChannel& row : rows) {
         const bool outputs = row.waiting == "outputter";

@@ -182,7 +182,7 @@ ProcessKind switch_setter_kind() {
                                           "link of the switch that leads to partner 0; the following links lead to "
                                           "the other partners")},
             .measurements = {{"time", "ms", "time of all rounds"},
-                             {"time_per_visit", "us", "mean"},
+                             {"time_per_visit", "us", "mean time of a visit"},
                              {"setting_per_visit", "us", "mean time that the switch's commands take in a visit"},
                              {"wrong_answers", "", "wrong answers of the switch"}},
             .body = visit_partners,

@@ -32,8 +32,9 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 /// Returns the bare chips with their internal memory. The M212 has two links for the network; two more links lead to
 /// its disk ports.
 ///
-/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. We assume by
-/// generation that the T801, T400, T222 and T225 overlap acknowledges, and that the T212 and M212 do not.
+/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. For the other chips
+/// we assume the same as for chips of their generation: the T801, T400, T222 and T225 overlap acknowledges, and the
+/// T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -76,8 +77,8 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Returns false if the chip can replace a module's usual chip. Modules were sold with other transputers of the same
-/// word length: a B403_T414 is a B403 with a T414.
+/// Returns whether the word lengths of the chip and of the usual chip of a module differ. Modules were also sold with
+/// other chips of the same word length: the B403_T414, for example, is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
 }
@@ -110,8 +111,8 @@ std::vector<AttributeDescription> attributes_of_booted_programs() {
              .json_name = "host_time_ns"},
             {.value = description::integer(
                  "wraps", {.by_default = 0, .least = 0, .most = 1},
-                 "1: addresses outside the memory are taken modulo the memory's size, as on boards; 0: if the booted "
-                 "program uses such an address, other than by lb, sb, ldnl or stnl, the processor stops"),
+                 "1: addresses outside the memory are taken modulo the memory's size, as on boards; 0: the processor "
+                 "stops if the booted program uses such an address, except in the instructions lb, sb, ldnl and stnl"),
              .json_name = "memory_wraps"}};
 }
 
@@ -123,8 +124,8 @@ std::vector<AttributeDescription> transputer_attributes() {
     attributes.push_back(
         {.value = description::integer("memorycycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1000},
                                        "cycles of an access to a word of external memory, which holds the messages and "
-                                       "all code and data that are not on the chip; 0: chosen by the type: 2 for a T2 "
-                                       "or T801, otherwise 3; 1 if `memory` fits into the chip's 4K"),
+                                       "all code and data that are not on the chip; 0 stands for 2 cycles for a T2 or "
+                                       "T801, 3 cycles for other types, and 1 cycle if `memory` fits in the chip's 4K"),
          .json_name = "memory_access_cycles"});
     attributes.push_back(
         {.value = description::integer("switching",
@@ -132,8 +133,8 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::Processor::usual_switching),
                                         .least = 0,
                                         .most = 1000},
-                                       "cycles to switch from one process to the next, besides the instruction "
-                                       "that gives the processor up"),
+                                       "cycles to switch from one process to the next, besides the cycles of the "
+                                       "instruction by which the process gives up the processor"),
          .json_name = "switching_cycles"});
     std::ranges::move(attributes_of_booted_programs(), std::back_inserter(attributes));
     attributes.push_back(
@@ -141,11 +142,11 @@ std::vector<AttributeDescription> transputer_attributes() {
                                        "cost of routing a channel through this processor; the cheapest route is "
                                        "chosen"),
          .json_name = "route_cost"});
-    attributes.push_back({.value = description::integer(
-                              "linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
-                              "number of wired links, lowest first, that may carry through-routed channels; 0: "
-                              "none"),
-                          .json_name = "link_quota"});
+    attributes.push_back(
+        {.value = description::integer("linkquota", {.unit = "links", .by_default = 4, .least = 0, .most = 1e6},
+                                       "number of wired links, lowest first, that channels through the processor may "
+                                       "use; 0: none"),
+         .json_name = "link_quota"});
     attributes.push_back(
         {.value = description::integer("router_priority", {.by_default = 0, .least = 0, .most = 1},
                                        "priority of the processes that send and receive packets: HIGH pre-empts "
@@ -157,7 +158,7 @@ std::vector<AttributeDescription> transputer_attributes() {
                                         .by_default = static_cast<std::int64_t>(hardware::RouterCosts{}.handling),
                                         .least = 0,
                                         .most = 1e9},
-                                       "cycles to send or receive a packet, besides the instruction"),
+                                       "cycles to send or receive a packet, besides the cycles of the instruction"),
          .json_name = "router_cycles"});
     return attributes;
 }
@@ -183,7 +184,7 @@ std::string what_it_cannot_address(const Node& node) {
                        node.type);
 }
 
-/// Makes a transputer that runs processes, or one that executes its own code.
+/// Makes a transputer that runs simulated processes, or a transputer that executes its own code.
 std::unique_ptr<MachineNode> make_transputer(MachineParts& parts, std::size_t node) {
     if (parts.network.nodes[node].runs_own_code)
         return std::make_unique<BootedNode>(parts, node);

@@ -31,7 +31,7 @@ std::vector<AttributeDescription> bus_attributes() {
                  "arbitration: PRI grants the highest requested level, RRS the levels in turn, SGL level 3 only"),
              .json_name = "arbiter",
              .drawn = [](const Value& value) { return std::get<std::string>(value); }},
-            nanoseconds_of("cycle", usual.word, 1, "time of a word of 32 bits"),
+            nanoseconds_of("cycle", usual.word, 1, "time to transfer a word of 32 bits"),
             nanoseconds_of("bytecycle", usual.byte, 1, "time of an access to a register"),
             nanoseconds_of("grant", usual.arbitration, 0, "time from a request or a release to the grant"),
             nanoseconds_of("timeout", usual.time_out, 1,
@@ -42,8 +42,8 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
-/// Returns why no master can hog the bus: the arbiter lacks the fault's level, or no slot is free. Returns "" if one
-/// can.
+/// Returns the reason why the fault `hogged` is impossible: the arbiter does not have the fault's request level, or no
+/// slot is free. Returns "" if the fault is possible.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,
@@ -55,7 +55,7 @@ std::string why_not_hogged(const Network& network, const Fault& hog) {
     return "";
 }
 
-/// Returns the names of the tracks: the bus, its masters, then the masters that faults add.
+/// Returns the names of the tracks in a trace: the bus, its masters, then the masters that faults add.
 std::vector<std::string> bus_tracks(const Network& network, std::size_t node) {
     const std::string& bus = network.nodes[node].name;
     std::vector<std::string> names{bus};

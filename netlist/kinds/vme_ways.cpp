@@ -52,8 +52,8 @@ private:
             ways_.push_back({master, slave, wire->second});
     }
 
-    /// Returns the master whose program uses the adapter; nowhere, after reporting, if there is no such master, or if
-    /// several masters are possible.
+    /// Returns the master whose program uses the adapter. If there is no such master, or if several masters are
+    /// possible, reports an error, and returns nowhere.
     std::size_t master_of(std::size_t slave) {
         const Node& adapter = node(slave);
         const auto& named = std::get<std::string>(adapter.attributes.at("master"));
@@ -100,7 +100,8 @@ private:
 
 } // namespace
 
-/// Reports a second master in a slot (a bus grant passes each slot once), and a request level that the arbiter lacks.
+/// Returns whether a device can be attached to the bus. Reports a request level that the arbiter does not have. Also
+/// reports a second master in a slot, because a bus grant passes each slot once.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())

@@ -19,7 +19,7 @@ bool is_one_of(const Token& token, std::string_view symbols) {
     return token.kind == TokenKind::symbol && token.text.size() == 1 && symbols.find(token.text) != symbols.npos;
 }
 
-/// Returns whether a sign stands where an operand begins, so that no blank follows it.
+/// Returns whether a token is a sign or another operator in front of its operand, after which no blank is written.
 bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
     if (!is_one_of(tokens[index], "-+!~") || index < 2)
         return false;
@@ -28,8 +28,9 @@ bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
     return begins_value || (before.kind == TokenKind::symbol && !is_one_of(before, ")]"));
 }
 
-/// Returns the blanks between two words of a line. Before a parenthesis that follows a name, and at braces, keeps the
-/// choice of the text. Two minus signs stay apart, because the lexer reads `--` as a comment of occam.
+/// Returns the blanks between two words of a line. Before a parenthesis that follows a name, and at braces, there
+/// is a blank if and only if the text has blanks there. Two minus signs stay apart, because the lexer reads `--` as a
+/// comment of occam.
 std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string_view written) {
     const Token &before = tokens[index - 1], &token = tokens[index];
     const bool either =
@@ -46,12 +47,12 @@ std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string
 
 using LineAndColumn = std::pair<std::size_t, std::size_t>;
 
-/// Finds the depth of statements in blocks and in the bodies of `rep` and `if`.
+/// Finds how deep statements are nested in blocks and in the bodies of `rep` and `if`.
 class Depths {
 public:
     Depths(const NetlistSyntax& syntax) : file_(syntax.file.get()) { walk(syntax.statements, 0); }
 
-    /// Returns the depth of the statement that begins at a place; nothing if none does.
+    /// Returns the depth of the statement that begins at a place; nothing if no statement begins there.
     std::optional<std::size_t> at(const Location& at) const {
         const auto found = depths_.find({at.line, at.column});
         return found == depths_.end() ? std::nullopt : std::optional(found->second);
@@ -142,7 +143,7 @@ private:
             return brackets_.back().depth;
         if (!token.is_word("else") || i + 1 == tokens_.size())
             return depths_.at(token.at);
-        const auto body = depths_.at(tokens_[i + 1].at); // a block is as deep as its `else`
+        const auto body = depths_.at(tokens_[i + 1].at); // the block after an `else` has the depth of the `else`
         return body && !tokens_[i + 1].is("{") ? std::optional(*body - 1) : body;
     }
 

@@ -127,7 +127,7 @@ Token Lexer::as_time(Token token, std::int64_t nanoseconds) {
 Token Lexer::read_integer(std::string_view digits, int base, Token token) {
     auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), token.integer.value, base);
     if (problem == std::errc::result_out_of_range)
-        reporter_.error(token.at, "the number is beyond 64 bits");
+        reporter_.error(token.at, "the number does not fit in 64 bits");
     else if (digits.empty())
         reporter_.error(token.at, "write hexadecimal digits after 0x");
     token.integer.decimal = token.integer.value;
@@ -139,7 +139,7 @@ void Lexer::apply_suffix(Token& token) {
     std::int64_t binary = 1, decimal = 1;
     if (std::int64_t nanoseconds = take_unit_of_time()) {
         if (__builtin_mul_overflow(token.integer.value, nanoseconds, &token.integer.value)) {
-            reporter_.error(token.at, "the number is beyond 64 bits");
+            reporter_.error(token.at, "the number does not fit in 64 bits");
             token.integer = {};
         }
         token.integer.decimal = token.integer.value;
@@ -156,7 +156,7 @@ void Lexer::apply_suffix(Token& token) {
     }
     advance();
     if (__builtin_mul_overflow(token.integer.value, binary, &token.integer.value)) {
-        reporter_.error(token.at, "the number is beyond 64 bits");
+        reporter_.error(token.at, "the number does not fit in 64 bits");
         token.integer = {};
     }
     token.integer.decimal *= decimal; // no overflow: the product is at most token.integer.value

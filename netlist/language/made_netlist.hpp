@@ -13,7 +13,8 @@
 
 namespace placedpar {
 
-/// Says where a part of a made text comes from in the original file. The part extends to the next part.
+/// Tells from which place of the original file a part of a made text comes. The part extends to the beginning of the
+/// next part.
 struct PartOrigin {
     std::size_t offset = 0; ///< offset of the first character of the part
     Location place;
@@ -21,11 +22,11 @@ struct PartOrigin {
 
 /// Holds a netlist that was made from a configuration or a program in another language.
 struct MadeNetlist {
-    std::shared_ptr<const SourceFile> text; ///< null if the original text is a netlist itself, or has errors
-    std::vector<PartOrigin> origins;        ///< in ascending order of offset; the first has offset 0
-    std::vector<std::string> paths;         ///< paths of the files from which it was made, except the main file
-    CompiledPrograms compiled = {};         ///< programs that replace bootable files
-    /// Writes a hint in the other language. Null if the original text is a netlist itself.
+    std::shared_ptr<const SourceFile> text = nullptr; ///< null if the original text is a netlist itself, or has errors
+    std::vector<PartOrigin> origins = {};             ///< in ascending order of offset; the first has offset 0
+    std::vector<std::string> paths = {}; ///< paths of the files from which the netlist was made, except the main file
+    CompiledPrograms compiled = {};      ///< programs that replace bootable files
+    /// Converts a hint in the netlist language to the other language. Null if the original text is a netlist itself.
     std::string (*translate_hint)(const std::string&) = nullptr;
 };
 

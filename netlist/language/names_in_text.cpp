@@ -76,7 +76,7 @@ private:
     void walk(const FaultStatement& form, const Location&) { walk_all(form.what, form.attributes); }
     void walk(const ParameterSetting& form, const Location&) { walk_all(form.process, form.values); }
     void walk(const IfStatement& form, const Location&) { walk_all(form.condition, form.then, form.otherwise); }
-    void walk(const SetStatement&, const Location&) const {} // occurs only in options
+    void walk(const SetStatement&, const Location&) const {} // options contain such statements, netlists do not
 
     void walk(const UseStatement& form, const Location&) {
         walk(form.program);
@@ -236,7 +236,7 @@ NetlistSyntax read_syntax(std::shared_ptr<const SourceFile> file, std::vector<st
     try {
         syntax.statements = Parser(tokens, reporter).parse_netlist();
     } catch (const GiveUp&) {
-        // the last diagnostic says why
+        // the last diagnostic states the reason
     }
     syntax.included = tokens.take_included();
     syntax.diagnostics = reporter.take();
@@ -259,7 +259,7 @@ std::vector<Token> tokens_of(const std::shared_ptr<const SourceFile>& file) {
                 tokens.push_back(std::move(*name));
             }
         } while (tokens.back().kind != TokenKind::end);
-    } catch (const GiveUp&) { // most of the words are errors
+    } catch (const GiveUp&) { // the text has too many errors
         tokens.push_back({.kind = TokenKind::end, .text = "", .integer = {}, .real = 0, .at = lexer.here()});
     }
     return tokens;

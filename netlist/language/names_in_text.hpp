@@ -19,7 +19,7 @@ struct NetlistName {
     std::string name = "";
     Location at = {};
     Category category = Category::val;
-    std::string type = "";    ///< word with which a node, a process or a type is declared
+    std::string type = "";    ///< the word for the type in the declaration of a node, a process or a type
     std::string program = ""; ///< program that `use` gives a process; "" if none
     std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< interface of a process
 };

@@ -11,7 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Classifies a line by the kind of occam text that contains it. The text has the highest class of its lines.
+/// Classifies a line by the kind of occam text that contains it. The class of a text is the highest class among its
+/// lines.
 enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
@@ -93,7 +94,7 @@ Dialect dialect_of(std::string_view line) {
     return is_comment_or_fold(line) ? Dialect::comment : Dialect::none;
 }
 
-/// Returns whether a C comment is open after the line. `open` says whether a comment was open before the line.
+/// Returns whether a comment of C is open at the end of the line. `open` is true if a comment is open at its beginning.
 bool comment_goes_on(std::string_view line, bool open) {
     auto start = line.rfind("/*"), end = line.rfind("*/");
     if (start == line.npos)

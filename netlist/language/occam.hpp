@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Says at which place a text turns out to be occam, and has a hint for the user.
+/// Holds the place at which a text turns out to be occam, and a hint for the user.
 struct Occam {
     Location at;
     const char* hint;

@@ -21,7 +21,7 @@ bool is_parameter_type(std::string_view word) {
 
 } // namespace
 
-/// Distinguishes `T800 (memory = 1M) root;` from `root (n = 4);` by the token after the parentheses.
+/// Returns whether a name follows the parentheses, as in `T800 (memory = 1M) root;`, but not in `root (n = 4);`.
 bool Parser::behind_attributes_comes_name() {
     if (tokens_.peek(1).kind == TokenKind::name)
         return true;
@@ -84,7 +84,7 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
     return result;
 }
 
-/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters behind it
+/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters after it
 /// would cause misleading errors.
 Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();

@@ -62,8 +62,8 @@ ExpressionPointer Parser::parse_expression() {
     return tokens_.peek().is("?") ? parse_conditional(std::move(expression)) : std::move(expression);
 }
 
-/// Parses the rest of a conditional expression. The branches may be conditional, too: `a ? b : c ? d : e` is `a ? b :
-/// (c ? d : e)`.
+/// Parses a conditional expression after its condition. The branches may also be conditional expressions: `a ? b : c ?
+/// d : e` is `a ? b : (c ? d : e)`.
 ExpressionPointer Parser::parse_conditional(ExpressionPointer condition) {
     Nesting nesting(*this);
     auto at = tokens_.take().at;

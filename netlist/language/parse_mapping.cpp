@@ -70,12 +70,12 @@ Statement Parser::parse_use() {
 
 Statement Parser::parse_place() {
     auto at = tokens_.take().at;
-    auto what = parse_reference("what is placed");
+    auto what = parse_reference("a process, channel or connection");
     if (!tokens_.peek().is_word("on"))
         refuse(gap(), fmt::format("\"on\" is missing in place: found {}", describe(tokens_.peek())),
                "place name on processor;");
     tokens_.take();
-    PlaceStatement statement{std::move(what), parse_reference("the place")};
+    PlaceStatement statement{std::move(what), parse_reference("a processor, link, bus, edge or connection")};
     expect_semicolon("place");
     return {at, std::move(statement)};
 }

@@ -13,7 +13,7 @@ namespace placedpar {
 /// Limits the nesting of blocks, `rep` and `if` statements, parentheses, brackets, attributes, signs and casts. Deeper
 /// nesting is refused, so that no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// Limits the height of an expression's tree. The highest `1 + 1 + ...` has 1000 operators.
+/// Limits the height of an expression's tree. The highest tree of the form `1 + 1 + ...` has 1000 operators.
 inline constexpr int highest_expression = 1001;
 
 /// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error, parsing continues
@@ -52,7 +52,7 @@ private:
     std::vector<Declarator> parse_declarators(std::string_view what);
     Declarator parse_declarator(std::string_view what);
     Declarator parse_type_name();
-    /// Takes the name of a type; the reserved word `process` is a type, too.
+    /// Takes the name of a type. The reserved word `process` is also accepted.
     Token expect_type(std::string_view what);
 
     // parse_attribute.cpp
@@ -125,19 +125,20 @@ private:
     std::set<std::string, std::less<>> types_; ///< names of the types that the netlist defines
 };
 
-/// Returns the words that begin or structure statements.
+/// Returns the reserved words: words that begin a statement or separate its parts, such as `connect` and `to`.
 std::span<const std::string_view> reserved_words();
 /// Returns the words that begin a statement.
 const std::vector<std::string>& statement_words();
 /// Returns the types of parameters in an interface, such as "int".
 std::span<const std::string_view> parameter_types();
-/// Returns whether the word begins or structures statements, so that it cannot be a name.
+/// Returns whether the word is one of the reserved words, which cannot be names.
 bool is_reserved(std::string_view word);
 /// Returns whether a netlist can use the text as a name: a single word that is not reserved.
 bool can_be_a_name(std::string_view text);
-/// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
+/// Returns the word of `words` that differs from `word` in one or two letters, or only in capital letters; "" if there
+/// is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Does the same for the words that begin a statement.
+/// Returns the word that probably was meant, among the words that begin a statement; "" if there is none.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -148,8 +148,8 @@ struct SetStatement {
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
     std::string typed;       ///< the text of the value
     Location value_at;
-    std::vector<Diagnostic> problems; ///< why the text is not an expression
-    std::size_t place = 0;            ///< position among the options
+    std::vector<Diagnostic> problems; ///< errors that tell why the text is not an expression
+    std::size_t place = 0;            ///< position of the option among all options
 
     /// Returns how precise the target is: 0 for a member of every element, 1 for a member of a named element or array,
     /// and one more for each subscript.
@@ -176,7 +176,7 @@ struct FaultStatement {
 struct RepStatement {
     std::string name;
     Location name_at;
-    ExpressionPointer first, count, last; ///< `for count` or `to last`; count or last is null
+    ExpressionPointer first, count, last; ///< `for count` sets `count`, `to last` sets `last`; the other is null
     std::unique_ptr<Statement> body;
 };
 struct IfStatement {

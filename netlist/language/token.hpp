@@ -38,7 +38,7 @@ struct Token {
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }
 };
 
-/// Returns the token's name in a message: `"link"`, `the string "x"`, `the end of the file`.
+/// Returns a text that names the token in a message: `"link"`, `the string "x"`, `the end of the file`.
 std::string describe(const Token& token);
 
 } // namespace placedpar

@@ -120,7 +120,7 @@ void TokenStream::refuse_missing(const Token& name) {
                                     : "looked in the folder of the including file and in " + folders);
 }
 
-/// Returns true, after reporting, if the file includes itself, directly or through others.
+/// Returns whether the file includes itself, directly or through other files, and reports it.
 bool TokenStream::includes_itself(const std::filesystem::path& real, const Token& name) {
     auto same = std::ranges::find(open_, real, &Open::path);
     if (same == open_.end())

@@ -21,8 +21,8 @@ inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 /// directly or through others, is refused.
 class TokenStream {
 public:
-    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins`: the
-    /// origins of the text in `main` (see Lexer).
+    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins` has the
+    /// meaning that it has in the constructor of Lexer, for the text of `main`.
     TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
                 std::vector<std::filesystem::path> include_folders = {}, std::vector<PartOrigin> origins = {});
 
@@ -32,7 +32,7 @@ public:
     const Location& behind_last() const { return behind_last_; }
     /// Returns the paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
-    /// Returns whether an include of the toolset was read so far, whether or not the file exists.
+    /// Returns whether an `#include` of a file of the toolset has been read so far. The file need not exist.
     bool includes_toolset() const { return includes_toolset_; }
 
 private:

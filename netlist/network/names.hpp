@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// These functions handle the names of arrays and their elements. In the order of elements, the last subscript varies
-/// fastest.
+/// These functions handle the names of arrays and their elements. Elements are ordered so that the last subscript
+/// varies fastest.
 
 /// Returns "out" for "out[2]"; returns a name without a subscript unchanged.
 std::string_view base_name(std::string_view name);

@@ -44,7 +44,8 @@ bool has_bootable_file(const Network& network) {
 
 namespace {
 
-/// Returns the new position of each thing that stays; nowhere for each thing that does not stay.
+/// Returns for each thing its position after the removal of all things for which `stays` returns false; nowhere for a
+/// removed thing.
 template <class Things, class Stays>
 std::vector<std::size_t> positions_after(const Things& things, const Stays& stays) {
     std::vector<std::size_t> positions;

@@ -47,10 +47,10 @@ struct Node {
     std::string type; ///< such as "T800", "C004" or "edge"; "T800" also for a B404, a module with a T800
     std::shared_ptr<const DeviceKind> kind;               ///< never null in a Network
     std::map<std::string, Value, std::less<>> attributes; ///< every attribute of the kind
-    bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
-    bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
-    std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other; ///< attributes that only icconf uses; no effect on a simulation
+    bool overlapped_acknowledge = true;            ///< its links send the acknowledge of a byte while the byte arrives
+    bool floating_point_unit = true;               ///< the processor has a floating-point unit, as a T800 has
+    std::set<std::string, std::less<>> given = {}; ///< names of the attributes that the netlist gives
+    std::map<std::string, Value> other;            ///< attributes that only icconf uses; no effect on a simulation
     Location declared;
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
@@ -58,10 +58,10 @@ struct Node {
     std::shared_ptr<const transputer::CodeLines> code_lines =
         nullptr;                ///< contents of NAME.lines beside the file; null if there is none
     bool runs_own_code = false; ///< the node is emulated: it executes the bytes that boot it, or its image
-    /// The program in the node's memory when the run begins. It contains all processes of the node that are code. Null
-    /// if the node has no such processes.
+    /// Holds the program that is in the node's memory when the run begins. It contains all processes in occam on the
+    /// node, and processes that pass on messages between such processes. Null if the node needs no such program.
     std::shared_ptr<const transputer::Image> image = nullptr;
-    std::optional<std::size_t> rank = {}; ///< the thread or MPI rank of its processes in a native run; empty: any
+    std::optional<std::size_t> rank = {}; ///< thread or MPI rank of its processes in a native run; empty: not stated
 
     /// REQUIRES: the kind has an integer attribute of this name; throws std::logic_error otherwise.
     std::int64_t integer(std::string_view attribute) const;
@@ -81,9 +81,9 @@ struct SwitchCrossing {
     int from_link = 0, to_link = 0;
 };
 
-/// The link number of a device's slot on a bus, where a way over the bus ends.
+/// In LinkEnd::link, this number stands for the bus end of a device, at which a way over the bus ends.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
-/// The link number of the link `config`, by which a switch is set during the run.
+/// In LinkEnd::link, this number stands for the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
 /// Describes a device in a slot of a bus.
@@ -100,7 +100,7 @@ struct BusAttachment {
 /// Describes a way over a bus: from a master to its slave, and on over a wire if the slave is a link adapter. `master`
 /// and `slave` are indices in Network::attachments.
 struct BusWay {
-    std::size_t master = nowhere, slave = nowhere; ///< attachments
+    std::size_t master = nowhere, slave = nowhere; ///< indices in attachments
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
@@ -109,14 +109,14 @@ struct BusWay {
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
-    double metres = 0;                     ///< length of the wire, all pieces together
+    double metres = 0;                     ///< total length of all pieces of the wire
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< name of the `connection` that wires the links; "" if none
     Location connected;
     std::optional<BusWay> over_bus = {}; ///< if set, the connection is not a wire: `a` is a master, `b` the device that
                                          ///< the master reaches over the bus
-    bool at_run_time =
-        false; ///< a switch makes the connection during the run; other connections may have the same links
+    bool at_run_time = false; ///< a program makes the connection during the run, by setting switches; several such
+                              ///< connections may have the same links
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
@@ -151,7 +151,7 @@ struct ProcessInstance {
     std::string name;               ///< such as "grid[1][2]"
     std::string kind;               ///< the kind that `use` names; "" if there is no `use`
     bool stand_in = false;          ///< the kind is not in the catalogue: the process cannot be run
-    bool is_code = false;           ///< the process is part of the image of its node
+    bool is_code = false;           ///< the process is in occam, so it is part of the image of its node
     std::uint64_t program_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
@@ -167,8 +167,8 @@ struct ProcessInstance {
     Location declared;
 };
 
-/// Describes the end of a channel: at a port of a process, at an edge channel, or in the own code of a node. If there
-/// is no process, `process` is nowhere, and `port` is the name of the edge channel, or "".
+/// Describes the end of a channel: at a port of a process, at an edge channel, or in the program of a node that
+/// executes its own code. Without a process, `process` is nowhere, and `port` is the name of the edge channel, or "".
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
@@ -192,8 +192,8 @@ struct ChannelPlacement {
     std::vector<RouteHop> route = {}; ///< empty for a soft channel; several hops pass through the processors in between
     bool in_packets =
         false; ///< the route has several hops, or one of its links carries another channel in the same direction
-    /// Index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of the
-    /// broadcast. nowhere: the channel is not broadcast.
+    /// Holds the index of the bus on which the channel is broadcast: one write reaches the adapters of all channels of
+    /// the broadcast. nowhere: the channel is not broadcast.
     std::size_t broadcast_on = nowhere;
 
     bool operator==(const ChannelPlacement&) const = default;
@@ -238,7 +238,7 @@ struct Fault {
 /// Describes a value that an option set in place of the netlist's value.
 struct SetByOption {
     std::string name, value;           ///< as typed by the user
-    std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
+    std::vector<std::string> elements; ///< elements whose attribute or parameter was set; empty: the name is a val
 };
 
 /// Describes the services that the hosts of booted nodes offer to their programs.
@@ -256,7 +256,7 @@ struct HostServices {
     /// Answers a request at the given virtual time, in place of a server. If the function is empty, a server answers.
     std::function<iserver::Answer(std::span<const std::uint8_t>, std::chrono::microseconds)> answers = {};
     iserver::OfferedBoard* board =
-        nullptr; ///< board through which another program is the host of a node; null: no other program is
+        nullptr; ///< board through which another program is the host of a node; null: the hosts are simulated
 };
 
 struct Network {
@@ -284,11 +284,12 @@ std::vector<std::string> paths_of_inputs(const Network& network);
 /// Returns whether some node is booted with a file, or has an image.
 bool has_bootable_file(const Network& network);
 
-/// Returns the network as a machine executes it: without the processes that are code, and without the channels between
-/// such processes. The other channels of these processes end at the nodes, which run their own code.
+/// Returns the network as a machine executes it: without the processes in occam (ProcessInstance::is_code), and without
+/// the channels between such processes. The other channels of these processes end at the nodes, which run their own
+/// code.
 Network with_code_inside(Network network);
 
-/// Returns whether both ends of a channel are processes that are code.
+/// Returns whether both ends of a channel are processes in occam (ProcessInstance::is_code).
 bool is_between_code(const Network& network, const NetworkChannel& channel);
 
 /// Returns whether a wire leads to the switch's configuration link.

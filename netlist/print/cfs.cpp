@@ -36,11 +36,12 @@ bool is_declared_by_toolset(const Node& node) {
 
 enum class ParameterOrder { as_given, by_name };
 
-/// Routes are most of the text of a network that is too large, so their size can be counted without making the text.
+/// Tells whether the text of routes is written, or only its bytes are counted. In a text that is too large, most bytes
+/// belong to routes.
 enum class Routes { written, counted };
 
-/// Writes one network as a netlist, without replication, without types that a `define` made, and without changed
-/// defaults.
+/// Writes one network as a netlist without `rep`, `define` and changed defaults: each declaration states its
+/// attributes.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -73,7 +74,7 @@ public:
         return std::exchange(text_, {});
     }
 
-    /// Returns the length of print_mapping() in bytes, without making the text of routes.
+    /// Returns the length of print_mapping()'s text in bytes, without making the text of routes.
     std::size_t mapping_bytes() {
         routes_ = Routes::counted;
         print_places();
@@ -89,7 +90,7 @@ private:
                                                   : fmt::format("{:016x}", boot_hash(node));
     }
 
-    /// Returns the program of a process. In the canonical form, the hash of the text replaces the name of a source
+    /// Returns the program of a process. In the canonical form, the hash of a source file replaces the name of the
     /// file.
     std::string program(const ProcessInstance& process) const {
         return order_ == ParameterOrder::as_given || process.program_hash == 0
@@ -132,9 +133,9 @@ private:
                 line("{} (rank = {});", node.name, *node.rank);
     }
 
-    /// Returns whether the node can stay undeclared as the toolset's predefined edge "host". This edge is declared at
-    /// its first use, after all other nodes, so the node must be the last node to keep its position when the text is
-    /// read again.
+    /// Returns whether the node is the toolset's predefined edge "host", which need not be declared. This edge is
+    /// declared at its first use, after all other nodes, so the node must be the last node to keep its position when
+    /// the text is read again.
     bool is_predefined_host(std::size_t node) const {
         auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
         return n_.nodes[node].name == "host" && n_.nodes[node].kind->links == LinkRole::edge &&
@@ -174,7 +175,7 @@ private:
     void print_wires() {
         for (const auto& connection : n_.connections) {
             if (connection.over_bus || connection.at_run_time)
-                continue; // a way over a bus follows from attachments, a switched connection from its pieces
+                continue; // ways over buses follow from attachments, and connections that switches make from pieces
             std::vector<std::string> attributes;
             if (says_speed(connection))
                 attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
@@ -311,7 +312,8 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// Prints once the settings that all elements of an array share, then the other settings of each element.
+    /// Prints first, once, the settings that all elements of an array share, and then the other settings of each
+    /// element.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);
@@ -343,7 +345,7 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
-        std::size_t line_begin = 0; // lines are broken so that the text can be read again
+        std::size_t line_begin = 0; // offset of the present line; lines that are too long could not be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
@@ -388,7 +390,7 @@ private:
 
     void print_channel(const NetworkChannel& channel) {
         if (end(channel.from).empty() || end(channel.to).empty())
-            return; // no edge channel: the placement of the other end implies the channel
+            return; // the netlist has no edge channel here: the placement of the other end makes the channel
         line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
     }
 
@@ -460,7 +462,7 @@ private:
     ParameterOrder order_;
     Routes routes_ = Routes::written;
     std::string text_;
-    std::size_t counted_ = 0;               ///< bytes of routes that are only counted
+    std::size_t counted_ = 0;               ///< bytes of the routes, if they are only counted
     std::vector<std::string> stated_names_; ///< for each connection: the name that states the hop from b to a, then the
                                             ///< hop from a to b; "" until used
 };

@@ -211,7 +211,7 @@ bool is_flat(const json::value& value) {
 
 void write(const json::value& value, std::string& out, const std::string& indent);
 
-/// Writes each entry on a separate line by `write_entry`.
+/// Writes each entry on a line of its own, by calling `write_entry`.
 template <class Entries, class WriteEntry>
 void write_lines(const Entries& entries, std::string_view brackets, std::string& out, const std::string& indent,
                  WriteEntry write_entry) {

@@ -15,8 +15,8 @@ std::string print_constant(const Value& value);
 /// Returns "name = value".
 std::string print_entry(std::string_view name, const Value& value);
 
-/// Returns the attributes that differ from those of the first element of the node's array, or from the kind's defaults
-/// if `first` is null; after these, the attributes that only icconf uses.
+/// Returns the attributes in which the node differs from `first`, the first element of its array; if `first` is null,
+/// the attributes in which it differs from the defaults of its kind. The attributes that only icconf uses follow.
 std::vector<std::string> print_attributes(const Node& node, const Node* first = nullptr);
 
 /// Describes consecutive elements of one array, or a single thing.
@@ -38,7 +38,7 @@ std::string print_list(const std::vector<std::string>& entries);
 /// Returns whether a wire leads to a transputer that executes its own code.
 bool is_used_by_code(const Network& network, const LinkConnection& wire);
 
-/// Says where a transputer gets its own code from: "boots hello.btl", "boots over its links".
+/// Returns a text about how a transputer receives its own code: "boots hello.btl" or "boots over its links".
 std::string print_boot(const Node& node);
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ std::string through_text(const Access& access) {
     return access.through ? ", through \"" + access.through->name + "\"" : "";
 }
 
-/// Returns whether an abbreviation names a part of another abbreviation.
+/// Returns whether an abbreviation names `other` or a part of it, directly or through further abbreviations.
 bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
     const Declaration* each = named_by(abbreviation);
     while (each && each != other)
@@ -25,8 +25,8 @@ bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
 
 } // namespace
 
-/// Returns whether an access uses the name of the abbreviation, or of a later abbreviation, which was checked at its
-/// own declaration.
+/// Returns whether an access uses the name of this abbreviation, or of an abbreviation that was declared later. A later
+/// abbreviation was compared with this one at its declaration.
 bool UsageCheck::is_named_by(const Access& access, const Declaration& abbreviation) const {
     if (access.root == access.base)
         return false;

@@ -30,7 +30,7 @@ void check(Program& program, const SourceOptions& options, Reporter& reporter, c
         if (!reporter.failed() && (options.usage_checks || options.alias_checks))
             UsageCheck(program, options.usage_checks, options.alias_checks, reporter).check_program();
     } catch (const GiveUp&) {
-        return; // the last diagnostic says why
+        return; // the last diagnostic states the reason
     }
 }
 

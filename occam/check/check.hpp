@@ -1,14 +1,9 @@
 #pragma once
 
+#include "occam/check/change.hpp"
 #include "occam/language/parse.hpp"
 
-#include <functional>
-
 namespace placedpar::occam {
-
-/// Called for each declaration at the outermost level of a program after its check, before later text uses it. May
-/// change the value of a VAL.
-using ChangeDeclaration = std::function<void(Program&, Declaration&)>;
 
 /// Finds the meaning of all names, the types of all expressions and the values of all constants. Reports violations of
 /// the language's rules. If there is no error, also checks parallel usage and aliases, unless the options turn these

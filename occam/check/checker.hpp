@@ -1,6 +1,6 @@
 #pragma once
 
-#include "occam/check/check.hpp"
+#include "occam/check/change.hpp"
 #include "occam/language/tree.hpp"
 #include "text/reporter.hpp"
 
@@ -50,7 +50,7 @@ private:
     std::unordered_map<std::string, std::vector<Declaration*>> by_name_;
 };
 
-/// Describes a PROC, FUNCTION or VALOF around the present place, and its effects on its surroundings.
+/// Describes a PROC, FUNCTION or VALOF around the present place, and its effects outside of itself.
 struct Routine {
     const Declaration* declaration = nullptr; ///< null for a VALOF in an expression
     bool is_function = false;
@@ -77,8 +77,9 @@ public:
         : program_(program), reporter_(reporter), types_(program.types), change_(std::move(change)) {}
     void check_program();
 
-    // The public functions below serve the Configurer (occam/configuration). It visits the declarations and processes
-    // of a configuration itself. It visits replicated processes once for each value of the index, as a constant.
+    // The public functions below serve the Configurer (occam/configuration), which visits the declarations and
+    // processes of a configuration itself. It visits a replicated process once for each value of the index, and sets
+    // the index to this constant before each visit.
 
     void check_units();
     /// Checks a declaration, and makes it visible.
@@ -98,8 +99,8 @@ private:
     using DeclarationList = std::vector<DeclarationBox>;
 
     // Names (names.cpp)
-    /// Returns whether this is the first mistake in the use of a declaration. Later mistakes probably have the same
-    /// cause.
+    /// Returns whether this is the first mistake of this kind in the use of a declaration. Later mistakes of the same
+    /// kind are not reported, since they probably have the same cause.
     bool is_first(const Declaration*, std::string mistake);
     void report_unknown(const std::string& name, const Place&);
     /// Checks the declarations in order, and makes them visible. The caller must hide them with names_.leave.
@@ -185,7 +186,7 @@ private:
     void enter_routine(Routine);
     void leave_routine(std::size_t mark);
     void value_process(ValueProcess&);
-    /// Checks the right side of an assignment. One call may give several values.
+    /// Checks the right side of an assignment, and returns the types of its values. One call may give several values.
     std::vector<const Type*> types_of_values(std::vector<Expression>&);
     std::vector<const Type*> types_of_results(std::vector<Expression>&);
     bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
@@ -254,8 +255,9 @@ private:
     std::unordered_map<const TypeText*, const Type*>
         resolved_; ///< key: a type's text, which several declarations may share
     std::unordered_map<std::string, Declaration*> predefined_;
-    std::unordered_set<std::string> reported_;                      ///< unknown names that have been reported
-    std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< mistakes for which is_first() was called
+    std::unordered_set<std::string> reported_; ///< unknown names that have been reported
+    std::set<std::pair<const Declaration*, std::string>>
+        mistakes_;                             ///< declarations and mistakes for which is_first() was called
     std::vector<const Declaration*> declared_; ///< all checked declarations, in the order of the text
     std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;

@@ -41,7 +41,7 @@ const Type* Checker::channel(Expression& expression, const char* action) {
 
 void Checker::mark_direction(const Declaration& declaration, Direction direction, const Place& place) {
     // The checker may change the tree. A NameUse refers to a const declaration only because other code must not change
-    // it.
+    // the declaration.
     auto& own = const_cast<Declaration&>(declaration);
     const bool is_directed = own.direction != Direction::unused;
     const auto* abbreviation = std::get_if<Abbreviation>(&own.form);
@@ -77,8 +77,8 @@ bool Checker::has_items(const Place& place, std::size_t given, std::size_t wante
     return false;
 }
 
-/// Checks the types of an item, and that it is a counted array if and only if the protocol has one here. Returns false
-/// if only one of them is a counted array.
+/// Checks an item against an element of the protocol. Returns false if one of them is a counted array, and the other
+/// is not; otherwise checks the types, and returns true.
 bool Checker::has_form(Item& item, const ProtocolItem& wanted, Direction direction) {
     const bool inputs = direction == Direction::input;
     if (!wanted.count != !item.counted_array) {

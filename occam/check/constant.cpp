@@ -18,7 +18,7 @@ constexpr Folded not_finite = {0, "does not give a finite number"};
 
 unsigned width_of(Basic basic) { return 8 * bytes_of(basic); }
 
-/// Returns the lowest bits of a value as a value of the type.
+/// Returns the value of the type whose bits are the lowest bits of `bits`.
 std::int64_t wrapped(Basic basic, std::uint64_t bits) {
     switch (basic) {
     case Basic::byte: return static_cast<std::uint8_t>(bits);
@@ -37,7 +37,8 @@ std::uint64_t pattern(Basic basic, std::int64_t bits) {
     return static_cast<std::uint64_t>(bits) & (width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1);
 }
 
-/// Returns a result of 64 bits if it fits, and if the operation on 64 bits did not overflow.
+/// Returns the result of an operation that was computed in 64 bits; an error if the computation overflowed, or if the
+/// type cannot hold the result.
 Folded fitting(Basic basic, std::int64_t value, bool overflowed) {
     return overflowed || wrapped(basic, static_cast<std::uint64_t>(value)) != value ? overflow : Folded{value};
 }
@@ -131,8 +132,7 @@ Folded integer_of(Real value, Basic to, Conversion::Rounding rounding) {
     return {static_cast<std::int64_t>(whole)};
 }
 
-/// Returns a value of the language's real type `Real` as a value of another real type, rounded toward zero if
-/// requested.
+/// Converts a number to a real type, rounded to the nearest value, or toward zero if truncation is requested.
 template <class To, class From>
 Folded real_from(From value, Conversion::Rounding rounding) {
     To result = static_cast<To>(value);
@@ -180,7 +180,7 @@ Folded fold(Operator operation, Basic basic, std::int64_t operand) {
     case Operator::minus_modulo: return {wrapped(basic, 0 - static_cast<std::uint64_t>(operand))};
     default: break;
     }
-    if (is_real(basic)) // the compiler subtracts from zero
+    if (is_real(basic)) // the code of a program also subtracts the operand from zero
         return fold(Operator::subtract, basic, 0, operand);
     return operand == most_negative(basic) ? overflow : Folded{-operand};
 }

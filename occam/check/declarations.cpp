@@ -25,7 +25,7 @@ bool is_named(const Declaration& declaration) {
            !std::holds_alternative<ConfigurationPart>(declaration.form);
 }
 
-/// Returns the bytes of a value, or nothing if they are known only at run time.
+/// Returns the size of a value of the type in bytes, or nothing if the size is known only at run time.
 std::optional<std::uint64_t> known_bytes(const Type& type) {
     if (plain(type).kind != Type::Kind::array)
         return bytes_of(type);

@@ -11,7 +11,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns a noun for messages, if the declared thing has no value; "" if it has a value.
+/// Returns what a message says about a name without a value, such as "a protocol"; "" if the name has a value.
 std::string kind_of(const Declaration& declaration) {
     const auto& form = declaration.form;
     if (std::holds_alternative<Procedure>(form))
@@ -124,7 +124,7 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     const Declaration* const root = root_of(expression);
     if (!root || !is_data(*type)) {
         report(expression.at, (root ? name_of(*type) : std::string("a value")) + " cannot be " + action,
-               "name a variable");
+               "write the name of a variable");
         return expression.type = mistaken();
     }
     const std::string reason = reason_not_writable(*root);
@@ -136,7 +136,8 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     return type;
 }
 
-/// Notes that the present routine changes a variable, if the variable is declared outside of the routine.
+/// Notes that the present routine changes a variable, unless the variable is declared inside of the routine. Reports an
+/// error if the routine is a function.
 void Checker::assigned(const Declaration* base, const Place& place, const std::string& through) {
     const auto depth = depths_.find(base);
     if (routines_.empty() || (depth != depths_.end() && depth->second >= routines_.size()))

@@ -100,7 +100,8 @@ bool Checker::is_first(const Declaration* declaration, std::string mistake) {
 Declaration* Checker::find(const std::string& name, const Place& place) {
     if (Declaration* const found = names_.find(name)) {
         used_.insert(found);
-        if (!program_.is_configuration) // the statements of a configuration are checked again at each repetition
+        if (!program_.is_configuration) // a configuration visits a statement again at each repetition, which would
+                                        // repeat the entry
             program_.resolved.push_back({place, found});
         return found;
     }

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Lists which operands an operator accepts.
+/// Tells which types of operands an operator accepts.
 enum class Operands : std::uint8_t { numbers, integers, truths, ordered, scalars };
 
 struct OperatorTraits {
@@ -172,7 +172,7 @@ const Type* Checker::form_of(Expression& expression, Conversion& conversion) {
     const Type& target = plain(*to);
     const Type& source = plain(*from);
     if (target.kind != Type::Kind::basic || source.kind != Type::Kind::basic) {
-        if (&target == &source) { // conversion between a DATA TYPE and the array or record from which it is derived
+        if (&target == &source) { // conversion between a DATA TYPE and the array or record that defines it
             expression.constant = conversion.operand->constant;
             return to;
         }

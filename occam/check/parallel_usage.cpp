@@ -75,7 +75,8 @@ bool UsageCheck::check_intervals(std::vector<Interval>& intervals) {
     return true;
 }
 
-/// Adds the elements that an access in a component uses, for all values of the replicators inside of the component.
+/// Adds an interval for the elements that an access uses. Does this for each component of a replicated PAR, and for
+/// each value of the replicators inside of the component.
 void UsageCheck::intervals_of(const Parallel& parallel, std::int64_t component, const Access& access,
                               IndexValues& values, std::vector<Interval>& intervals) {
     std::vector<const Declaration*> indices, inner;

@@ -11,12 +11,13 @@ namespace {
 
 struct PredefinedTraits {
     std::string_view name;
-    std::string_view parameters, results; ///< one letter for each type; see predefined_traits
+    std::string_view parameters, results; ///< a letter for each type, as in predefined_traits
     bool is_double = false;               ///< the routine also exists for REAL64, with D in front of the name
 };
 
-/// The predefined routines of the language. Letters give the types of parameters and results: i INT, j INT32, b BOOL, r
-/// REAL32 (REAL64 if the name has D in front), d REAL64, s VAL [][]BYTE, S [][]BYTE passed by reference.
+/// Lists the predefined routines of the language. A letter stands for the type of each parameter and result: i for INT,
+/// j for INT32, b for BOOL, r for REAL32 (for REAL64 if the name has D in front), d for REAL64, s for VAL [][]BYTE, and
+/// S for [][]BYTE passed by reference.
 constexpr std::array<PredefinedTraits, 51> predefined_traits = {{
     {"LONGADD", "iii", "i"},
     {"LONGSUM", "iii", "ii"},

@@ -69,7 +69,8 @@ void Checker::form_of(Process& process, Parallel& parallel) {
         if (!count.constant && count.type->kind != Type::Kind::mistaken)
             report(count.at, "the count of a replicated PAR must be a constant", "");
     }
-    // In a program that joins the processes of a network, processes of low priority may contain a PRI PAR.
+    // In the program that PlacedPar writes to run all processes of a node, the processes of low priority may contain a
+    // PRI PAR.
     const bool only_high = is_priority && program_.has_channel_tables;
     const bool outer = inside_priority_par_;
     for (Process& each : parallel.processes) {

@@ -10,7 +10,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The number of elements that we assume for an array of unknown size.
+/// We assume that an array of unknown size has this number of elements.
 constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
 constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< limit for sums and products of subscripts
 constexpr std::size_t most_comparisons = 65536;
@@ -69,7 +69,8 @@ private:
     std::unordered_set<const Declaration*> seen_;
 };
 
-/// Adds an index without a value, after the indices on which its replicator depends.
+/// Appends an index to `ordered`, after the indices on which its replicator depends, unless the index has a value or is
+/// already in `ordered`.
 void add_in_order(const Declaration* index, const Replicators& replicators, const IndexValues& values,
                   std::vector<const Declaration*>& ordered) {
     if (values.contains(index) || std::ranges::find(ordered, index) != ordered.end())
@@ -89,7 +90,7 @@ std::optional<std::int64_t> known(const Folded& folded) {
     return folded.error ? std::nullopt : std::optional(folded.bits);
 }
 
-/// Evaluates an expression for some values of indices.
+/// Evaluates an expression with the given values of indices.
 class Evaluator {
 public:
     explicit Evaluator(const IndexValues& values) : values_(values) {}
@@ -123,8 +124,8 @@ public:
     }
 
 private:
-    /// Limits the steps of one evaluation. In a chain of VAL abbreviations where each uses the previous one twice, each
-    /// doubles the steps.
+    /// Limits the steps of one evaluation. If each VAL of a chain of abbreviations uses the previous VAL twice, the
+    /// number of steps doubles with each VAL.
     static constexpr std::size_t most_steps = 1000;
 
     std::optional<std::int64_t> value_in(const BinaryOperation& operation) {
@@ -149,7 +150,8 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Narrows a region by a step. Returns the type of the narrowed region; null if the step is unknown.
+/// Narrows a region to the part that a step selects. Returns the type of the part; null if the subscript or the count
+/// is not known.
 const Type* narrow(Region& region, const Type& type, const PathStep& step, const IndexValues& values) {
     const Type& form = plain(type);
     if (step.field) {

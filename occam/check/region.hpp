@@ -27,7 +27,7 @@ struct PathStep {
 struct Access {
     AccessKind kind{};
     Place at;
-    const Declaration* root = nullptr; ///< the declaration named at this place
+    const Declaration* root = nullptr; ///< the declaration whose name the program writes at this place
     const Declaration* base =
         nullptr;                      ///< the variable, channel or RETYPES from which `steps` lead to the accessed part
     std::vector<PathStep> steps = {}; ///< path from the base to the accessed part
@@ -42,15 +42,16 @@ using IndexValues = std::unordered_map<const Declaration*, std::int64_t>;
 /// Holds the replicators of a program, by the declarations of their indices.
 using Replicators = std::unordered_map<const Declaration*, const Replicator*>;
 
-/// Holds a range of elements of a variable, from `first` to the one before `end`. Elements are counted through all
-/// dimensions.
+/// Holds a range of elements of a variable: `first` and all elements after it, up to but without `end`. Elements are
+/// counted through all dimensions.
 struct Region {
     std::int64_t first = 0, end = 0;
-    bool is_exact = true; ///< false if only a part of the region is used, and this part is unknown
+    bool is_exact = true; ///< false if only a part of the region is used, and it is not known which part
 };
 enum class Overlap : std::uint8_t { none, possible, certain };
 
-/// Returns the value of an integer expression, if it depends only on constants and on these indices.
+/// Returns the value of an integer expression; nothing if the expression depends on more than constants and these
+/// indices.
 std::optional<std::int64_t> value_of(const Expression&, const IndexValues&);
 /// Adds the indices of replicators on which an access depends, in the order of the text.
 void add_indices(const Access&, std::vector<const Declaration*>& indices);
@@ -61,8 +62,9 @@ Overlap overlap_of(const Region&, const Region&);
 /// have.
 Overlap overlap_of(const Access&, const Access&, const Replicators&);
 
-/// Calls a function with each combination of values of the indices, at most `most` times. An index has no value if its
-/// replicator is not known at compile time. Stops when the function returns false.
+/// Calls a function with each combination of values of the indices, at most `most` times. An index is left out of
+/// `values` if the base, count or step of its replicator is not known at compile time. Stops when the function returns
+/// false.
 void for_each_value(const std::vector<const Declaration*>& indices, const Replicators&, std::size_t most,
                     IndexValues& values, const std::function<bool(const IndexValues&)>&);
 

@@ -166,8 +166,8 @@ void Checker::add_tags(ProtocolType& protocol, Protocol& written) {
     }
 }
 
-/// Returns an earlier protocol if it has the same name and the same items: a program and its libraries may
-/// include the same declaration.
+/// Returns an earlier protocol that has the same name and the same items; if there is none, adds this protocol, and
+/// returns it. A program and its libraries may include the same declaration.
 const ProtocolType* Checker::shared_protocol(const Declaration& declaration, ProtocolType protocol) {
     const auto same_tag = [](const ProtocolTag& a, const ProtocolTag& b) {
         return a.name == b.name && a.items == b.items;

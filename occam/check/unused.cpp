@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns a noun for a declaration; "" if the name need not be used.
+/// Returns a noun for the declared thing, such as "variable"; "" if there is no warning when the name is not used.
 std::string_view kind_of_name(const Declaration& declaration) {
     struct Visitor {
         const Declaration& declaration;

@@ -254,9 +254,9 @@ void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList
     log_.resize(first);
 }
 
-/// Returns the accesses in the log from position `first` to variables that were declared before the time `since`. Equal
-/// accesses are returned once. If an access uses an abbreviation from inside the scope, it is returned with the name
-/// that is valid outside.
+/// Returns the accesses that are in the log at position `first` or later, if their variables were declared before the
+/// time `since` (clock_). Equal accesses are returned once. If an access uses an abbreviation from inside the scope, it
+/// is returned with the name that is valid outside.
 std::vector<Access> UsageCheck::outside_accesses(std::size_t first, std::uint64_t since) const {
     std::vector<Access> accesses;
     std::set<std::tuple<const Declaration*, const Declaration*, AccessKind, std::vector<const void*>>> seen;

@@ -24,9 +24,9 @@ namespace placedpar::occam {
 ///   in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap with
 ///   another parameter, or with a variable that the PROC itself uses.
 ///
-/// The program is visited once. The visit keeps a log of accesses. The accesses of a component of a PAR are a stretch
-/// of the log. For each call, the log also gets the accesses that the routine makes to
-/// variables declared outside of it.
+/// The program is visited once. The visit keeps a log of accesses, in which the accesses of a component of a PAR follow
+/// one another. At each call, the accesses that the called routine makes to variables declared outside of it are added
+/// to the log.
 class UsageCheck {
 public:
     UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
@@ -35,7 +35,7 @@ public:
 
 private:
     using DeclarationList = std::vector<DeclarationBox>;
-    /// Holds consecutive positions in the log: from `first` to the one before `end`.
+    /// Holds consecutive positions in the log: `first` and the positions after it, up to but without `end`.
     struct Stretch {
         std::size_t first = 0, end = 0;
     };
@@ -43,8 +43,8 @@ private:
     struct Active {
         const Declaration* declaration = nullptr;
         Access access;
-        bool is_changeable =
-            false; ///< true if the abbreviation names the accessed variable; false if it only reads the variable
+        bool is_changeable = false; ///< true if the abbreviation is another name of the accessed variable; false if its
+                                    ///< value depends on the variable
     };
     /// Holds the accesses of an argument, or of a target of an assignment.
     struct Part {

@@ -9,7 +9,8 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Appends the steps of a path to the steps of its root. Returns false if the root is not a name.
+/// Appends the steps of a path, such as the subscripts of a[i][j], to `steps`, and stores its root, such as a, in
+/// `root`. Returns false if the root is not a name.
 bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const Declaration*& root) {
     if (const auto* use = std::get_if<NameUse>(&expression.form)) {
         root = use->meaning;
@@ -30,7 +31,8 @@ bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const
     return true;
 }
 
-/// If the root is an abbreviation, replaces it by the variable that the abbreviation names.
+/// If the base of the access is an abbreviation, replaces it by the variable that the abbreviation names, and inserts
+/// the steps from this variable to the abbreviated part.
 void resolve(Access& access) {
     while (const auto* abbreviation = std::get_if<Abbreviation>(&access.base->form)) {
         std::vector<PathStep> steps;

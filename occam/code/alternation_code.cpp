@@ -40,7 +40,7 @@ void Generator::alternation(const Alternation& a) {
     clear_error();
 }
 
-/// Reserves a word for the index of each replicator.
+/// Reserves a word for the index of each replicator. When a guard is chosen, the word keeps the value of the index.
 void Generator::reserve(const Alternation& a, Nest& nest) {
     if (a.replicator)
         nest.kept[a.replicator->index.get()] = temporary();
@@ -75,7 +75,8 @@ void Generator::enable(const Alternative& a) {
     stack_ = 0;
 }
 
-/// Returns the channel of a guard; null for SKIP, for a time, and for the clock, which is always ready.
+/// Returns the channel of a guard. Returns null for SKIP, for `clock ? AFTER t`, and for an input from a timer, which
+/// is always ready.
 const Expression* Generator::guard_channel(const Alternative& a) {
     if (const auto* variants = std::get_if<VariantInput>(&a.guard))
         return &variants->channel;

@@ -9,14 +9,14 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The loader reads the code that follows the loader in the file, and jumps to the code. The numbers at its beginning
-/// are offsets from the start of memory. The workspace of the program may cover the loader, which is then no longer
-/// needed.
+/// The loader reads the code that follows it in the file, and jumps to the code. loader_source() writes the numbers
+/// `code`, `workspace` and `start` in front of the loader, in words from the lowest address. The workspace of the
+/// program may cover the loader, since the loader is no longer needed when the program runs.
 constexpr const char* loader = R"(
         ajw 4                           -- instructions use words below the workspace
-        stl 0; stl 0; stl 1             -- A and B are not needed; C is the link
+        stl 0; stl 0; stl 1             -- A and B are not needed; C is the address of the link
         mint; sthf; mint; stlf          -- no process is ready
-        ldc 0; stl 2; ldc 11; stl 3     -- channels and timers of the links, from the start of memory
+        ldc 0; stl 2; ldc 11; stl 3     -- words 0 to 10 of the memory: links, event and timers
 clear:  mint; ldl 2; mint; wsub; stnl 0
         ldlp 2; ldc cleared - clear; lend
 cleared:
@@ -28,7 +28,7 @@ cleared:
         mint; ldnlp start; adc offset; gcall
 )";
 
-/// Returns the source of the loader. `is_there`: the code is already in the memory.
+/// Returns the source of the loader. If `is_there`, the code is already in the memory, and the loader does not read it.
 std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
                           transputer::Word workspace, bool is_there) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
@@ -44,14 +44,14 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
 
 /// Lays out the workspace, which may cover the loader, and the code after it.
 transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
-    constexpr transputer::Word bytes_beside = 44; // words that the loader's instructions and variables use
+    constexpr transputer::Word bytes_beside = 44; // for the words that the loader's instructions and variables use
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
     transputer::Image image;
     image.code = code.bytes;
-    // The loader contains the address of the code, which depends on the loader's length. Repeats until the length no
-    // longer changes.
+    // The loader contains the address of the code, but this address depends on the length of the loader. So assemble
+    // the loader again until its length no longer changes.
     for (std::size_t length = 1; image.start.size() != length;) {
         length = image.start.size();
         image.offset = start + std::max(needed, static_cast<transputer::Word>(length) + bytes_beside);

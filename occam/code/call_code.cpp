@@ -14,7 +14,7 @@ void Generator::declare_routine(const Declaration& d) {
     routines_[&d] = std::move(routine);
 }
 
-/// Returns the Routine of a procedure or function. The first call for a declaration makes its code.
+/// Returns the Routine of a procedure or function. When it is first asked for, its code is generated.
 Generator::Routine& Generator::routine_of(const Declaration& d) {
     Routine& routine = *routines_.at(&d);
     if (!routine.level) {
@@ -121,7 +121,8 @@ std::vector<const Expression*> Generator::pointers_to(const std::vector<Expressi
     return pointers;
 }
 
-/// Calls a procedure or function. `more` are words after the arguments and before the addresses of the results.
+/// Calls a procedure or function. The words of `more` are passed after the arguments and before the addresses of the
+/// results.
 void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
                      const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
@@ -154,7 +155,7 @@ void Generator::add_argument(Arguments& words, const Declaration& parameter, con
     }
 }
 
-/// Makes an array of pointers to channels that are declared one by one.
+/// Makes an array of pointers to the channels of a table such as [c, d], which are declared one by one.
 Storage Generator::channel_table(const TableLiteral& table, const Type& type) {
     Storage pointers =
         in_workspace(*array_of(*basic(Basic::integer), static_cast<std::uint32_t>(table.elements.size())));
@@ -169,7 +170,7 @@ Storage Generator::channel_table(const TableLiteral& table, const Type& type) {
     return pointers;
 }
 
-/// Adds the value of a scalar of at most a word.
+/// Adds an argument that is passed by value and has at most four bytes.
 void Generator::add_value(Arguments& words, const Expression& e) {
     if (is_word(*e.type)) {
         words.push_back({depth_of(e), [this, &e] { expression(e); }});
@@ -181,7 +182,7 @@ void Generator::add_value(Arguments& words, const Expression& e) {
     }
 }
 
-/// Adds the address of a value, and its counts of elements if the parameter is an open array.
+/// Adds the address of a value. For each open dimension of the parameter, also adds the number of elements.
 void Generator::add_pointer(Arguments& words, Storage location, const Type& parameter) {
     location = pointer_to(location);
     stack_ = 0;
@@ -241,7 +242,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(low); // loading the last words may have made temporaries, which must not be here either
+        frame_->need_low(low); // again, since loading the words may have allocated temporaries
     call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);
@@ -249,12 +250,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
         frame_->calls.push_back(&level);
 }
 
-/// Returns by how many words the workspace is moved for a call with `low` words of arguments in memory. Between alt and
-/// altend, the words below the workspace hold the state of the alternation. A call without this move would overwrite
-/// them.
+/// Returns by how many words the workspace pointer is moved down for a call with `low` words of arguments in memory.
+/// Between alt and altend, the words below the workspace hold the state of the alternation. Without the move, the call
+/// would overwrite these words.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-/// `errors`: meaning of the routine's errors, if they are reported at the call; otherwise "".
+/// Generates a call with the workspace moved down by `moved` words. `errors` tells what an error of the routine means,
+/// if errors are reported at the call; otherwise it is "".
 void Generator::call_moved(Label entry, int moved, const std::string& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);
@@ -265,7 +267,7 @@ void Generator::call_moved(Label entry, int moved, const std::string& errors) {
         op(Operation::ajw, moved);
 }
 
-/// Calls a function. If there are no places for results, leaves the only result in a register.
+/// Calls a function. If `results` is empty, leaves the only result in a register.
 void Generator::call_function(const Expression& e, const std::vector<Storage>& results) {
     const auto& c = std::get<Call>(e.form);
     const bool is_predefined = std::holds_alternative<Predefined>(c.meaning->form);

@@ -17,7 +17,8 @@ int Generator::depth_of_channel(const Expression& e) const {
     return std::holds_alternative<NameUse>(e.form) ? 1 : depth_of_location(e);
 }
 
-/// Loads address, channel and count, and communicates. The count needs one register.
+/// Loads the address of the data, the channel and the count of bytes, and communicates. `load_count` needs one
+/// register.
 void Generator::transfer(Operation operation, const std::function<void()>& load_address, const Expression& on,
                          const std::function<void()>& load_count) {
     load_address();
@@ -39,7 +40,7 @@ void Generator::transfer(Operation operation, const std::function<void()>& load_
     clear_error();
 }
 
-/// Transfers a value whose location needs no registers.
+/// Communicates a value. REQUIRES: no part of its address is on the register stack.
 void Generator::transfer(Operation operation, const Storage& location, const Expression& on) {
     const auto bytes = fixed_bytes(location);
     std::optional<Cell> size;
@@ -86,7 +87,7 @@ void Generator::input_items(const Expression& on, const std::vector<Item>& items
     }
 }
 
-/// Inputs a count, checks it, and inputs this number of elements.
+/// Inputs a count, checks that the array is large enough, and inputs as many elements as the count says.
 void Generator::input_counted(const Expression& on, const Item& item) {
     const Storage counter = in_workspace(*item.value.type);
     if (counter.is_scalar) {
@@ -119,7 +120,7 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     store_top(item.value);
 }
 
-/// An INT64 that counts elements has an upper half of 0.
+/// Checks a count of elements of type INT64: its upper half must be 0.
 void Generator::check_upper_half(const Cell& lower) {
     if (!options_.range_checks)
         return;
@@ -177,7 +178,7 @@ void Generator::output_item(const Expression& on, const Expression& value) {
     transfer(Operation::out, location, on);
 }
 
-/// Loads a value of four bytes as it is in memory.
+/// Loads the four bytes of a value of any type as a word.
 void Generator::load_bits(Storage location) {
     location.type = basic(Basic::int32);
     load(location);

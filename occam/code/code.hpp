@@ -18,10 +18,10 @@ ErrorMode error_mode(std::string_view name);
 struct CodeOptions {
     transputer::Model model{};
     ErrorMode mode = ErrorMode::halt;
-    bool range_checks = true;    ///< check subscripts, segments, conversions, counts
-    bool run_time_checks = true; ///< check anything at run time, including overflow
+    bool range_checks = true;    ///< check subscripts, segments, conversions and counts at run time
+    bool run_time_checks = true; ///< check for errors such as overflow; false: no range checks either
     bool vector_space = true;    ///< place arrays outside of the workspace
-    bool ends_run = true;        ///< a main procedure without channels tells the host at its end
+    bool ends_run = true;        ///< at its end, a main procedure without channels tells the host to end the run
     bool awaits_high = true;     ///< a PRI PAR of the main procedure waits for its component of high priority
 };
 
@@ -36,28 +36,30 @@ struct CodeName {
     std::string name; ///< such as "phil" or "phil/PAR 12:3"
 };
 
-/// States what an error of the instruction that ends at `offset` means: `text` is a text for transputer::print_error().
+/// States what an error of an instruction means. The instruction ends at `offset`; `text` has the form that
+/// transputer::print_error() reads.
 struct CodeError {
     std::uint32_t offset = 0;
     std::string text;
 };
 
-/// Describes the workspace of a process, including the procedures that it calls: its workspace pointer is from `from`
-/// to before `until`. These words are below the first workspace pointer of the program, and count from it.
+/// Describes the words to which the workspace pointer of a process can point while the process, or a procedure that it
+/// calls, is executed: `from` and all words after it, up to but without `until`. Words are counted from the first
+/// workspace pointer of the program, so most of these numbers are negative.
 struct CodeWorkspace {
-    /// The number of the process that starts the outermost components.
+    /// `outermost` has this value for the process that starts the outermost components.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
 
     std::int64_t from = 0, until = 0;
-    /// A name such as "phil[2]", or the process's place in the source. If several processes have the same name, the
-    /// place is added to the name. If processes use the same words one after the other, the workspace has the names of
-    /// all: "reader or writer".
+    /// Holds a name such as "phil[2]", or the process's place in the source. If several processes have the same name,
+    /// the place is added to the name. If processes use the same words one after the other, the workspace has the names
+    /// of all: "reader or writer".
     std::string name;
     std::string inner = {}; ///< name within the outermost component, "fork[1]" if `name` is "ring/fork[1]"; "" for the
                             ///< outermost component itself
     std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
     std::string entry = {};    ///< name of the process's code in Code::names; "" for a component of a replicated PAR
-    bool carries = false;      ///< it carries messages of other processes; not set by the compiler
+    bool carries = false; ///< the process carries messages of other processes; the compiler does not set this member
 };
 
 /// Describes a channel that the main procedure declares before its process.

@@ -26,8 +26,8 @@ bool is_array_of_integers(const Type& type) {
 
 } // namespace
 
-/// Makes code for declarations outside of all procedures. Skips channels of a configuration, which do not belong to a
-/// program.
+/// Makes code for a declaration outside of all procedures. Ignores the channels of a configuration: they join programs,
+/// and belong to none of them.
 void Generator::declare_outermost(const Declaration& d) {
     const bool has_place = std::holds_alternative<Variable>(d.form) && innermost(*d.type).kind != Type::Kind::timer;
     if (has_place && !program_.is_configuration)
@@ -37,7 +37,8 @@ void Generator::declare_outermost(const Declaration& d) {
         declare(d);
 }
 
-/// Calls the main procedure with the channels of link 0 and with the free memory after the vector space.
+/// Generates a program that calls the main procedure with the channels of link 0 and with the free memory after the
+/// vector space.
 Code Generator::generate(const Declaration& main) {
     declare_library();
     for (const std::unique_ptr<Unit>& unit : program_.units)
@@ -77,13 +78,14 @@ Code Generator::generate(const Declaration& main) {
     code.channels = channels_of_main(main, -words_of_call - routine.level->main.words());
     code.vector_space_bytes = static_cast<std::uint64_t>(memory * 4);
     if (4 * code.workspace_words + code.bytes.size() + code.vector_space_bytes > most_bytes_of_program)
-        refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} of vector space, more than a "
+        refuse(main.at, fmt::format("the program needs {} bytes of workspace and {} bytes of vector space, more than a "
                                     "transputer can have",
                                     4 * code.workspace_words, code.vector_space_bytes));
     return code;
 }
 
-/// `base`: the workspace pointer of the procedure, in words from the first workspace pointer of the program.
+/// Returns the channels that the main procedure declares. `base` is its workspace pointer, in words from the first
+/// workspace pointer of the program.
 std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, std::int64_t base) const {
     std::vector<CodeChannel> channels;
     const auto* const scope = std::get_if<Scope>(&std::get<Procedure>(main.form).body->form);
@@ -100,7 +102,8 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
 
 /// Sends the host the request that ends a run with success, as so.exit does.
 void Generator::end_run() {
-    constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
+    constexpr std::array<std::uint8_t, 10> request = {8,    0,    35, 0xff, 0xc9,
+                                                      0x9a, 0x3b, 0,  0,    0}; // result 999999999: success
     address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});
     op(Operation::mint);
     constant(request.size());

@@ -8,7 +8,7 @@
 
 namespace placedpar::occam {
 
-/// Size of the free memory that a main procedure receives as its parameter `[]INT memory`.
+/// The free memory that a main procedure receives as its parameter `[]INT memory` has this size.
 inline constexpr std::int64_t bytes_of_free_memory = 256 * 1024;
 
 /// Compiles a program that was checked without errors. Throws RefusedInput if the program has a construct that this
@@ -22,7 +22,7 @@ std::uint32_t where_code_is(const Code&, const CodeOptions&);
 /// Returns a bootable file that runs the program on one transputer. The file has PlacedPar's loader, then the code.
 std::vector<std::uint8_t> bootable(const Code&, const CodeOptions&);
 
-/// Returns the contents of the memory of a transputer that has this program when a run begins.
+/// Returns what is in the memory of a transputer when a run of this program begins.
 transputer::Image image_of(const Code&, const CodeOptions&);
 
 } // namespace placedpar::occam

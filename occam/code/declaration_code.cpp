@@ -40,7 +40,7 @@ void Generator::declare_variable(const Declaration& d, const Variable& variable)
     if (variable.initial) {
         assign_to(*variable.initial, location);
     } else if (location.is_scalar) {
-        constant(0); // input, and procedures, write only the lowest byte
+        constant(0); // an input or a procedure may later write only the lowest byte
         store(location.cell);
     }
 }
@@ -54,7 +54,7 @@ std::int64_t channels_of(const Type& type) {
 
 } // namespace
 
-/// Makes the words of channels. An array of channels is an array of pointers to such words.
+/// Makes a word for each declared channel. An array of channels is an array of pointers to such words.
 void Generator::declare_channels(const Declaration& d) {
     const bool placed = d.placement && d.placement->where == Placement::Where::address;
     const std::int64_t at = placed ? *constant_of(*d.placement->address) : 0;
@@ -93,7 +93,7 @@ void Generator::declare_channels(const Declaration& d) {
     make_channels(pointers, count);
 }
 
-/// Makes many channels by a loop. Their words follow the pointers to them.
+/// Generates a loop that makes the channels of an array. The words of the channels follow the array of pointers.
 void Generator::make_channels(Storage pointers, std::int64_t count) {
     const Cell control = temporary(2);
     pointers.type = basic(Basic::integer);

@@ -162,7 +162,8 @@ void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& curr
     errors_.push_back({std::move(text), std::move(cells), &current});
 }
 
-/// Returns the text with the position of each cell after the letter of the cell, in words from the workspace pointer.
+/// Returns the text with the place of each cell inserted after its letter, in words from the workspace pointer:
+/// "{w+3}".
 std::string Emitter::ErrorMeaning::with_offsets() const {
     std::string result = text;
     std::size_t at = 0;

@@ -22,7 +22,7 @@ struct CodeElement {
         words,      ///< operand: `value` times the words of the frame
         branch,     ///< operand: the distance to `to`
         difference, ///< operand: bytes from `from` to `to`, plus `value`
-        mark,       ///< the label `to`
+        mark,       ///< the place of the label `to`
         align,      ///< padding up to the next whole word
         data,       ///< `value` bytes
         line,       ///< the code for a place in the source begins
@@ -41,7 +41,7 @@ struct CodeElement {
 
 using CodeBuffer = std::vector<CodeElement>;
 
-/// The label of the first word after code and constants.
+/// This label is at the first word after code and constants.
 inline constexpr Label end_of_code = 0;
 
 /// Collects code in buffers, and converts it to bytes.
@@ -98,7 +98,7 @@ private:
 
 /// Returns whether an instruction may set the flag Error, depending on computed values.
 bool may_set_error(transputer::Operation);
-/// Returns by how many words an instruction changes the depth of the register stack.
+/// Returns how many words an instruction adds to the register stack; the number is negative if it removes words.
 int stack_effect(transputer::Operation);
 
 } // namespace placedpar::occam

@@ -28,7 +28,8 @@ void Frame::need_low(int words) {
         above_low[static_cast<std::size_t>(i)] = std::max(above_low[static_cast<std::size_t>(i)], words);
 }
 
-/// Gives each local word its place. Words that are used most get the lowest places. Joined words stay together.
+/// Gives each local word its place in the workspace. The words with the most uses get the lowest places. Words that
+/// were allocated together stay together.
 void Frame::order_by_use() {
     struct Block {
         int first, words, least;
@@ -72,7 +73,7 @@ void Frame::order_by_use() {
 
 namespace {
 
-/// Computes the sizes of a frame and of all frames below it, the innermost first.
+/// Computes the sizes of a frame and of all frames inside it, the innermost first.
 void size_up(Frame& frame) {
     frame.order_by_use();
     for (const std::vector<Frame*>& components : frame.parallels) {

@@ -8,7 +8,7 @@
 
 namespace placedpar::occam {
 
-/// The workspace of a procedure is laid out after all code of the procedure has been made. The words that are used most
+/// The workspace of a procedure is laid out after all code of the procedure has been made. The words with the most uses
 /// come first. The components of a PAR are below the process that starts them. Until the layout is known, code refers
 /// to a word by its Cell.
 
@@ -42,8 +42,8 @@ struct Frame {
     void use(const Cell& cell, double weight);
     /// States that the process needs this number of words below its frame.
     void need_below(std::int64_t words) { below = below < words ? words : below; }
-    /// States that an instruction uses this number of the frame's lowest words. No variable that exists now is placed
-    /// there.
+    /// States that an instruction uses this number of the frame's lowest words. No local word that is allocated now
+    /// will be placed there.
     void need_low(int words);
     /// Returns the number of words of the frame. REQUIRES: the frame is laid out.
     std::int64_t words() const { return size; }
@@ -56,7 +56,7 @@ struct Frame {
     std::int64_t coordinate =
         0; ///< position of the frame's workspace pointer, in words from the procedure's workspace pointer
     std::vector<double> uses;   ///< number of uses of each local word
-    std::vector<bool> joined;   ///< states that a local word must follow the one before it
+    std::vector<bool> joined;   ///< for each local word, true if it must directly follow the local word before it
     std::vector<int> above_low; ///< for each local word, the number of lowest words in which it must not be placed
     std::vector<int> position;  ///< position of each local word
     std::int64_t size = 0;      ///< number of words of the frame
@@ -80,12 +80,12 @@ struct Frame {
     std::size_t starters() const { return parallels.size() + replications.size() + calls.size(); }
 };
 
-/// Number of words that the scheduler uses below the workspace pointer of a process.
+/// The scheduler uses this number of words below the workspace pointer of a process.
 inline constexpr int words_of_scheduler = 3;
-/// Number of words that the instruction `call` takes.
+/// The instruction `call` takes this number of words below the workspace pointer.
 inline constexpr int words_of_call = 4;
-/// Number of words that an alternation uses below a workspace: for its state, its time and the queues of scheduler and
-/// timer.
+/// An alternation uses this number of words below the workspace pointer: for its state, for its time, and as links of
+/// the queues of the scheduler and of the timer.
 inline constexpr int words_of_alternation = 5;
 
 /// Describes a procedure, or a component of a replicated PAR, whose frame has an address that is known only at run

@@ -33,7 +33,7 @@ void Generator::op(Operation operation, std::int64_t operand) {
 
 namespace {
 
-/// Returns the number of bytes of an ldc with its prefixes: one for each hexadecimal digit of the constant.
+/// Returns the number of bytes that an ldc has with its prefixes: one byte for each hexadecimal digit of the constant.
 int digits_of(std::int64_t value) {
     const auto word = static_cast<std::int32_t>(value);
     return static_cast<int>(

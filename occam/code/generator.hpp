@@ -20,13 +20,13 @@ struct Extent {
     Cell cell = {};
 };
 
-/// Says where a value is. If `has_index`, the code so far has left an index on the register stack, in units of the
+/// Describes where a value is. If `has_index`, the code so far has left an index on the register stack, in units of the
 /// type's size. If the base is `computed`, the code has left an address on the register stack.
 struct Storage {
     enum class Base : std::uint8_t {
         cell,     ///< the value is in the workspace, in `cell`
         pointer,  ///< the value's address is in `cell`
-        absolute, ///< the value is at `offset` from the start of memory
+        absolute, ///< the value is `offset` bytes above the lowest address
         constant, ///< the value is among the constants after the code, at `label`
         computed
     };
@@ -47,8 +47,8 @@ struct Range {
     std::int64_t least, most;
 };
 
-/// Generates the code of a program. Its functions follow the tree; expressions, processes and so on each have their own
-/// source file.
+/// Generates the code of a program. There is a function for each structure of the tree; expressions, processes and
+/// declarations, for example, have source files of their own.
 ///
 /// A statement begins with an empty register stack. An expression may be evaluated with values on the stack if
 /// depth_of() says that the free registers suffice; otherwise the caller first saves these values.
@@ -92,7 +92,7 @@ private:
     void store(const Cell&);
     void load_address(const Cell&);
     void load_frame_of(const Level&);
-    /// Loads the number of elements, plus `more`.
+    /// Loads the number of elements of a dimension, plus `more`.
     void load_extent(const Extent&, std::int64_t more = 0);
     void jump(Label);
     void jump_if_false(Label);
@@ -124,7 +124,7 @@ private:
     static const Type& plain(const Type&);
     bool is_word(const Type&) const; ///< the value fits on the register stack; also a REAL32, if routines compute reals
     static bool is_wide(const Type&); ///< INT64 or REAL64
-    bool is_real(const Type&) const;  ///< the value belongs on the stack of the floating-point unit
+    bool is_real(const Type&) const;  ///< the value is computed on the stack of the floating-point unit
     static bool has_real_type(const Type&);
     static bool is_compound(const Type& type) {
         return type.kind == Type::Kind::array || type.kind == Type::Kind::record;
@@ -260,12 +260,12 @@ private:
     void sequence(const Sequence&);
     void replicated(const Replicator&, const std::function<void()>& body);
     Cell begin_replication(const Replicator&, Label end);
-    /// These two functions return whether one of the choices is always taken.
+    /// These two functions generate choices of an IF, and return whether one of these choices is always taken.
     bool choices(const If&, Label done, bool is_last);
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
-    /// Holds the value of a CASE in the form that fails() takes.
+    /// Holds the value of the selector of a CASE as a text and cells for fails().
     struct Selected {
         std::string text;
         std::vector<Cell> cells;
@@ -331,9 +331,10 @@ private:
         std::vector<const Alternative*> around;                   ///< the ALTs around the guard, the outermost first
     };
     struct Nest {
-        std::unordered_map<const Declaration*, Cell> kept = {}; ///< index of each replicator of the chosen guard
+        std::unordered_map<const Declaration*, Cell> kept =
+            {}; ///< for each index of a replicator, the word that keeps its value at the chosen guard
         std::vector<std::pair<const Declaration*, Cell>> chosen =
-            {};                                      ///< indices of the replicators around the chosen guard
+            {}; ///< indices of the replicators around the present guard, with these words
         std::vector<const Alternative*> around = {}; ///< the ALTs that are being disabled
         Label after = 0;                             ///< label after the instruction altend
         std::vector<Branch> branches = {};

@@ -227,7 +227,7 @@ void Generator::load_base(Storage& location) {
     }
 }
 
-/// Loads the address of a location, apart from its offset.
+/// Loads the address of a location without its offset. Afterwards the location is an offset from the loaded address.
 void Generator::finish_address(Storage& location) {
     if (!location.has_index) {
         load_base(location);

@@ -88,7 +88,7 @@ void Generator::load_base_of(Frame& frame) {
 
 void Generator::adjust(Frame& from, Frame& to) { emitter_.put(Operation::ajw, Cell{&to, Cell::Area::base, 0}, from); }
 
-/// Generates a component in its own frame, up to the component's end.
+/// Generates the code of a component in its own frame, including the endp at its end.
 void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     const std::int64_t most = std::exchange(level_->vector_most, level_->vector_now);
     {
@@ -104,8 +104,9 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     level_->vector_most = std::max(level_->vector_most, most);
 }
 
-/// Starts the component of high priority; the process itself becomes the component of low priority. The component that
-/// ends last continues after the PAR, and must then run at low priority.
+/// Starts the component of high priority; the process itself continues as the component of low priority. The component
+/// that ends last continues after the PAR. If this is the component of high priority, it first changes to low
+/// priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, is_main_ && !options_.awaits_high ? 1 : 2);
@@ -136,8 +137,8 @@ void Generator::priority_parallel(const Parallel& each) {
     clear_error();
 }
 
-/// The addresses of the components' workspaces are known only at run time. A component finds the variables around the
-/// PAR by a static link.
+/// Generates one level for all components. The addresses of the components' workspaces are known only at run time, so a
+/// component finds the variables around the PAR by a static link.
 void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     const Replicator& replicator = *each.replicator;
     const auto components = constant_of(replicator.count);
@@ -217,8 +218,8 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
     frame_->need_low(2);
 }
 
-/// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on the words
-/// that the body uses.
+/// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on how many
+/// words the body uses, so they are generated after the body.
 void Generator::generate_level(Level& level, Label start, std::string name, const std::function<void()>& body) {
     CodeBuffer& head = buffers_.emplace_back();
     CodeBuffer& rest = buffers_.emplace_back();
@@ -245,7 +246,7 @@ void Generator::generate_level(Level& level, Label start, std::string name, cons
     level.lay_out();
 }
 
-/// Loads the address of the constants that are too large for instructions.
+/// Loads the address of the table that holds the constants that are too large for an instruction.
 void Generator::load_table(Level& level) {
     std::vector<std::uint8_t> bytes;
     for (const std::uint32_t word : level.constants)

@@ -38,7 +38,7 @@ constexpr std::array<WordFunction, 14> word_functions = {{
 
 } // namespace
 
-/// Generates a predefined function that has instructions. Returns false for other functions.
+/// Generates a predefined function for which the transputer has instructions. Returns false for other functions.
 bool Generator::predefined_call(const Expression& e, const Call& c, const std::vector<Storage>& results) {
     const bool left_in_register = results.empty();
     if (word_function(c, results))
@@ -138,8 +138,8 @@ bool Generator::real_test(const Call& c) {
     return true;
 }
 
-/// Loads a second real on top of the real that is on the floating-point stack. If this needs all registers, the first
-/// real is kept in memory meanwhile.
+/// Loads a second real on top of the real that is on the floating-point stack. If the second real needs all registers,
+/// the first real is kept in memory meanwhile.
 void Generator::real_operands_behind(const Expression& second) {
     if (depth_of_real(second) <= 3 - reals_)
         return real(second);

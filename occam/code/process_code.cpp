@@ -128,7 +128,7 @@ void Generator::assign_compound(const Expression& value, int depth, const std::f
     copy(from, target());
 }
 
-/// Copies a value whose location needs no registers.
+/// Copies a value. REQUIRES: no part of its address is on the register stack.
 void Generator::copy(const Storage& source, Storage target) {
     target = pointer_to(target);
     stack_ = 0;
@@ -182,7 +182,7 @@ void Generator::multiple_assignment(const Assignment& a) {
     }
     for (const Expression& target : a.targets) {
         results.push_back(temporary_location(*target.type));
-        if (results.back().is_scalar && called) { // a function writes only the bytes of the type
+        if (results.back().is_scalar && called) { // a function writes only the bytes of the type, so clear the others
             constant(0);
             store(results.back().cell);
         }
@@ -212,7 +212,7 @@ bool Generator::is_word_of_frame(const Expression& target) {
     return location.base == Storage::Base::cell && location.cell.frame->level == level_;
 }
 
-/// Copies a value from a location that needs no registers.
+/// Copies a value. REQUIRES: no part of its address is on the register stack.
 void Generator::store_from(const Storage& value, const Expression& target) {
     if (is_word(*target.type) && depth_of_location(target) <= 2) {
         load(value);
@@ -235,7 +235,7 @@ void Generator::sequence(const Sequence& s) {
         process(each);
 }
 
-/// Sets the two words of index and count. Jumps to `end` if the count is 0.
+/// Stores the first index and the count of a replicator in two words. Jumps to `end` if the count is 0.
 Cell Generator::begin_replication(const Replicator& r, Label end) {
     const Cell control = temporary(2);
     const auto base = constant_of(r.base), count_of = constant_of(r.count);
@@ -343,7 +343,7 @@ void Generator::repetition(const While& w) {
 
 namespace {
 
-/// The size of an entry in a table of jumps. A jump of this size reaches 32 Kbyte.
+/// An entry in a table of jumps has this number of bytes. A jump of this length reaches 32 Kbyte in either direction.
 constexpr std::uint8_t bytes_of_jump = 4;
 
 } // namespace
@@ -397,7 +397,7 @@ Generator::Selected Generator::go_to_target(const Expression& value, const Targe
     return {"{w}", {selector}};
 }
 
-/// Jumps to the target for an INT64.
+/// Jumps to the target of the option that equals an INT64, by comparing one option after the other.
 Generator::Selected Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
     for (const auto& [value, label] : targets) {
         stack_ = 0;
@@ -414,7 +414,7 @@ Generator::Selected Generator::select_wide(const Wide& selector, const Targets& 
     return selector.constant ? Selected{std::to_string(*selector.constant), {}} : Selected{"{l}", {selector.cell}};
 }
 
-/// Jumps to the target for a value, by a binary search.
+/// Jumps to the target of the option that equals the selector, by a binary search.
 void Generator::select(const Cell& selector, std::span<const Targets::value_type> targets, Label otherwise) {
     if (targets.size() > 3) {
         const auto half = targets.size() / 2;
@@ -437,7 +437,7 @@ void Generator::select(const Cell& selector, std::span<const Targets::value_type
     jump(otherwise);
 }
 
-/// Jumps to the target for a value, by a table of jumps.
+/// Jumps to the target of the option that equals the selector, by a table of jumps.
 void Generator::select_by_table(const Cell& selector, const Targets& targets, Label otherwise) {
     const std::int64_t least = targets.front().first, most = targets.back().first;
     for (const bool below : {true, false}) {

@@ -164,7 +164,7 @@ void Generator::real_binary(const BinaryOperation& operation) {
     --reals_;
 }
 
-/// Computes the remainder by steps, as the instruction set prescribes.
+/// Computes the remainder with fpremfirst and a loop of fpremstep, as the instruction set prescribes.
 void Generator::real_remainder(const Expression& left, const Expression& right) {
     const Label again = emitter_.new_label(), done = emitter_.new_label();
     real_operands(left, right, false);
@@ -270,7 +270,7 @@ void Generator::real_to_integer(const Conversion& converted, const Type& to) {
         fit(to, true);
 }
 
-/// Converts a real to an INT64: the lower half, then the upper half of the rest.
+/// Converts a real to an INT64: first computes the lower half, and then the upper half from the rest of the number.
 void Generator::real_to_wide(const Conversion& converted, const Cell& to) {
     begin_reals();
     stack_ = 0;

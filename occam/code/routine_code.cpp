@@ -12,7 +12,7 @@ using transputer::Operation;
 
 namespace {
 
-/// States what errors of the routines whose names have this ending mean.
+/// States what an error means in a routine whose name ends with `name`.
 struct Errors {
     std::string_view name, meaning;
 };
@@ -28,8 +28,8 @@ constexpr std::array<Errors, 11> errors_by_end = {{{".add", " +: overflow, an in
                                                    {".INT64", ": the real does not fit in INT64"},
                                                    {".REAL32", ": the real does not fit in REAL32"}}};
 
-/// Returns the meaning of a routine's errors. The routine is named like a predefined routine, or "TYPE.operation", or
-/// "FROM.TO".
+/// Returns what an error of the routine means. The name of a routine is the name of a predefined routine, or
+/// "TYPE.operation" such as "REAL32.add", or "FROM.TO" for a conversion.
 std::string errors_of(const std::string& routine) {
     for (const Errors& each : errors_by_end)
         if (routine.ends_with(each.name))
@@ -56,7 +56,7 @@ const Declaration& Generator::library_routine(const Place& at, const std::string
 
 namespace {
 
-/// Returns the second part of the name of the routine for an operation.
+/// Returns the second part of the name of the routine for an operation, such as ".add".
 const char* verb_of(Operator operation) {
     switch (operation) {
     case Operator::add: return ".add";
@@ -72,8 +72,8 @@ const char* verb_of(Operator operation) {
 
 } // namespace
 
-/// Returns the routine for an operation on reals; nothing if it is not such an operation, or if there is a
-/// floating-point unit.
+/// Returns the routine for an operation on reals; nothing if the expression is not such an operation, or if the
+/// processor has a floating-point unit.
 std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& e) const {
     if (has_reals() || e.constant)
         return std::nullopt;
@@ -108,7 +108,7 @@ std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& 
                        .mode = converted->rounding == Conversion::Rounding::truncate ? 0 : 1};
 }
 
-/// Calls a routine. If there are no places for results, leaves the only result in a register.
+/// Calls a routine. If `results` is empty, leaves the only result in a register.
 void Generator::call_real_routine(const Expression& e, const RealRoutine& routine,
                                   const std::vector<Storage>& results) {
     Arguments mode;

@@ -15,7 +15,7 @@ void Generator::load_part(const Wide& value, int part) {
         load(value.cell.after(part));
 }
 
-/// Returns the INT64 itself if it is a variable. Copies a constant to the workspace first.
+/// Returns an INT64 in the workspace: a variable itself, or a copy of a constant.
 Generator::Wide Generator::wide_variable(const Wide& value) {
     if (!value.constant)
         return value;
@@ -98,7 +98,7 @@ void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, cons
     wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
 }
 
-/// States that an operation on two INT64 can fail at the last instruction.
+/// States what an error of the last instruction means: that this operation on two values of type INT64 has failed.
 void Generator::wide_fails(const Wide& a, const std::string& operation, const Wide& b) {
     const bool divides = operation == "/" || operation == "\\";
     std::string meaning = divides ? "" : "overflow: ";

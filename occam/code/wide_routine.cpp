@@ -9,11 +9,11 @@ using transputer::Operation;
 
 namespace {
 
-/// Number of words that the routines need below the caller's workspace.
+/// The routines need this number of words below the caller's workspace.
 constexpr int words_of_routine = 20;
 
-/// Loads the operands at the addresses in words 13 and 14 into words 0 to 3, as magnitudes with their signs in words 4
-/// and 5.
+/// Copies the operands at the addresses in words 13 and 14 to words 0 to 3, as magnitudes. Stores their signs in words
+/// 4 and 5.
 constexpr const char* take_magnitudes = R"(
         ajw -12
         ldl 13; ldnl 0; stl 0; ldl 13; ldnl 1; stl 1
@@ -27,8 +27,8 @@ left:   ldl 5; cj right
 right:
 )";
 
-/// Gives the magnitude in words 6 and 7 the sign in word 4, and stores it at the address in word 15. It is an error if
-/// the result does not fit.
+/// Negates the magnitude in words 6 and 7 if word 4 says so, and stores the result at the address in word 15. Sets the
+/// error flag if the result does not fit in an INT64.
 constexpr const char* give_result = R"(
         ldl 4; cj positive
         ldc 0; ldc 0; ldl 6; ldiff; stl 6; ldc 0; ldl 7; ldiff; stl 7
@@ -54,7 +54,7 @@ small:  ldc 0; ldl 0; ldl 2; lmul; stl 6; stl 7
 exact:  ldl 4; ldl 5; xor; stl 4
 )";
 
-/// Leaves the quotient in words 0 and 1, and the remainder in words 6 and 7.
+/// Divides words 0 and 1 by words 2 and 3. Leaves the quotient in words 0 and 1, and the remainder in words 6 and 7.
 constexpr const char* divide = R"(
         ldl 2; ldl 3; or; eqc 0; cj proper
         seterr; ajw 12; ret                     -- division by zero

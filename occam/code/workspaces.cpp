@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t most_workspaces = 65'536;
 
-/// Returns whether the component of a PAR is a PAR itself, so that only its components are listed.
+/// Returns whether the component of a PAR is itself a PAR. Only the components of such a PAR are listed.
 bool is_only_parallel(const Frame& component) { return component.is_parallel && component.starters() == 1; }
 
 using NameCounts = std::map<std::string, int>;
 
-/// Counts the names of the components that a frame starts, without indices.
+/// Counts how many components that a frame starts have the same name, apart from indices.
 void count_names(const Frame& frame, NameCounts& counts);
 void count_name(const Frame& component, NameCounts& counts) {
     if (is_only_parallel(component))
@@ -46,9 +46,9 @@ void add_name(std::string& names, const std::string& name) {
         names += names.size() + name.size() > longest ? others : " or " + name;
 }
 
-/// Collects the workspaces of the processes that a frame starts, from the outermost on. A frame that starts processes
-/// at several places, one after the other, uses the same words for all of these processes. A workspace with such words
-/// has the names of all.
+/// Collects the workspaces of all processes that a frame starts, directly or through other processes. If a frame has
+/// several PARs one after the other, their processes may use the same words. A workspace of such words has the names of
+/// all processes that use these words.
 class Workspaces {
 public:
     Workspaces(const Frame& first, const std::string& name) {
@@ -58,14 +58,14 @@ public:
     std::vector<CodeWorkspace> take() { return std::move(found_); }
 
 private:
-    /// Holds the parts of the names of processes.
+    /// Holds the parts from which the names of processes are composed.
     struct Naming {
         std::string before = {}, before_inner = {}, indices = {};
         bool is_outermost = true;
         const NameCounts* counts = nullptr; ///< counts of equal names among sibling components
     };
 
-    /// Adds the processes that a process starts. `base`: the workspace pointer of its procedure, in words from the
+    /// Adds the processes that a process starts. `base` is the workspace pointer of its procedure, in words from the
     /// first workspace pointer.
     void add_within(const Frame& frame, std::int64_t base, Naming naming) {
         NameCounts counts;
@@ -92,7 +92,8 @@ private:
     void join_from(std::size_t first) {
         const std::vector<CodeWorkspace> all(found_.begin() + static_cast<std::ptrdiff_t>(first), found_.end());
         found_.resize(first);
-        std::map<std::int64_t, std::vector<std::size_t>> bounds; // at each word: the workspaces that begin or end there
+        std::map<std::int64_t, std::vector<std::size_t>>
+            bounds; // for each word, the workspaces that begin or end at it
         for (std::size_t i = 0; i < all.size(); ++i) {
             bounds[all[i].from].push_back(i);
             bounds[all[i].until].push_back(i);
@@ -142,7 +143,7 @@ private:
         const std::int64_t at = base + component.coordinate;
         const bool is_one_of_several = naming.counts->at(component.name) > 1;
         const std::string name = component.name + naming.indices + (is_one_of_several ? " " + component.place : "");
-        // The pointer moves down from here into the words of called procedures.
+        // `at` is the workspace pointer of the process; the words of procedures that it calls are below.
         const CodeWorkspace own{at - component.below + 1,
                                 at + 1,
                                 naming.before + name,

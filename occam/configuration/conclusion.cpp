@@ -37,7 +37,7 @@ void Configurer::check_nodes() {
     }
 }
 
-/// A node is either a processor with a type and a memory, or is mapped onto a processor.
+/// Checks that a node is either a processor with a type and a memory, or is mapped onto a processor.
 void Configurer::check_node(const Element& node, const NodeState& state, const Place& declared) {
     const char* const example = "write SET node (type, memsize := \"T800\", 2097152)";
     const bool has_type = !state.type.empty(), has_memory = state.memory_at.line > 0;
@@ -82,7 +82,7 @@ bool Configurer::is_local(const ChannelState& state) const {
            configured_.processes[state.output->process].node == configured_.processes[state.input->process].node;
 }
 
-/// Finds the links of a channel that is placed on an arc: its processes are at the ends of the arc.
+/// Finds the links of a channel that is placed on an arc. The processes of the channel must be at the ends of the arc.
 void Configurer::follow_arc(const Element& channel, ChannelState& state) {
     if (!state.arc)
         return;
@@ -151,8 +151,8 @@ bool Configurer::is_at_its_process(const Element& channel, const std::optional<W
     return false;
 }
 
-/// Makes the wire that `PLACE c AT link` on two processors states. If only one processor states it, makes a wire to the
-/// host.
+/// Makes the wire of a channel that is placed at a link. If two processors place the channel, the wire joins their
+/// links; if only one processor places it, the wire leads to the host.
 void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     if (!is_at_its_process(channel, state.leaves, state.output, true) ||
         !is_at_its_process(channel, state.arrives, state.input, false))
@@ -173,7 +173,7 @@ void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     }
 }
 
-/// Adds a wire unless it is known, and reports if a link leads to two places.
+/// Adds a wire, unless another channel has already added the same wire. Reports a link that would lead to two places.
 void Configurer::add_wire(const WireEnd& a, const WireEnd& b) {
     bool is_known = false;
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {

@@ -17,7 +17,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns whether a line of the text begins with PLACED: only configurations have it at the outermost level.
+/// Returns whether a line of the text begins with PLACED, without indentation. Only a configuration has such a line.
 bool has_placed_par(std::string_view text) {
     constexpr std::string_view word = "PLACED ";
     return text.starts_with(word) || text.find("\n" + std::string(word)) != text.npos;

@@ -59,8 +59,8 @@ struct ChannelEnd {
 
 struct ChannelState {
     std::optional<ChannelEnd> output, input;
-    /// The links by which the channel leaves its sender and arrives at its receiver, if they are stated. An arc states
-    /// only one of them.
+    /// These are the links by which the channel leaves its sender and arrives at its receiver, if they are stated.
+    /// For a channel on an arc to an edge, only one of them is set.
     std::optional<WireEnd> leaves, arrives;
     std::optional<Element> arc;
     Place placed_at;

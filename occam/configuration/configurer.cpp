@@ -56,7 +56,7 @@ Configured Configurer::run() {
                             "write CONFIG, and below it PROCESSOR with an instance of a PROC");
         if (!reporter_.failed())
             check_whole();
-    } catch (const GiveUp&) { // the last diagnostic has the reason
+    } catch (const GiveUp&) { // the last diagnostic states the reason
     }
     return std::move(configured_);
 }
@@ -196,7 +196,7 @@ bool Configurer::execute_choices(If& conditional) {
     return false;
 }
 
-/// Executes a body once, or for each value of an index, until it returns false.
+/// Executes a body once, or for each value of an index, until the body returns false.
 void Configurer::repeat(std::optional<Replicator>& replicator, const std::function<bool()>& body) {
     if (!replicator) {
         body();
@@ -223,7 +223,8 @@ void Configurer::repeat(std::optional<Replicator>& replicator, const std::functi
     }
 }
 
-/// Returns the value of an INT; nothing after reporting that it is of another type, or not constant.
+/// Returns the value of a constant expression of type INT. If the expression has another type or is not constant,
+/// reports an error, and returns nothing.
 std::optional<std::int64_t> Configurer::constant(Expression& expression, const std::string& role) {
     checker_.constant_of_type(expression, program_.types.basic(Basic::integer), role);
     if (!expression.constant || !expression.type->is(Basic::integer))

@@ -13,7 +13,8 @@
 
 namespace placedpar::occam {
 
-/// Executes the statements of a configuration. The bounds of replicators and the conditions must be constants.
+/// Executes the statements of a configuration. Conditions, and the base, count and step of replicators, must be
+/// constants.
 class Configurer {
 public:
     /// REQUIRES: the program was parsed without errors, and is a configuration.

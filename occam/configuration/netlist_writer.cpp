@@ -79,7 +79,7 @@ void NetlistWriter::write_nodes() {
     }
 }
 
-/// Returns a name for an element by itself: "t_2" for t[2].
+/// Returns a name without subscripts for an element of an array: "t_2" for t[2].
 std::string NetlistWriter::flat_name(const Element& element) const {
     std::string name = configured_.objects[element.object].name;
     for (const std::int64_t subscript : subscripts_of(configured_, element))
@@ -153,7 +153,7 @@ void NetlistWriter::write_processes() {
         write_kind(*procedure, processes);
 }
 
-/// Writes the processes that execute a procedure: a single one, or an array.
+/// Declares the processes that execute a procedure: a single process, or an array of processes.
 void NetlistWriter::write_kind(const Declaration& procedure, const std::vector<std::size_t>& processes) {
     const std::string name = new_name(procedure.name);
     const bool is_array = processes.size() > 1;

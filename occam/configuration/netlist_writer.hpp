@@ -12,8 +12,8 @@
 
 namespace placedpar::occam {
 
-/// Writes a configuration as a netlist. Records for each word of the netlist its place in the configuration, so that
-/// errors in the netlist are reported there.
+/// Writes a configuration as a netlist. Records for each word of the netlist the place in the configuration from which
+/// it was made, so that an error in the netlist is reported at this place.
 class NetlistWriter {
 public:
     NetlistWriter(const Program& program, const Configured& configured, Reporter& reporter)

@@ -56,7 +56,7 @@ Configurer::Selection Configurer::slice(const Selection& whole, std::size_t firs
     return part;
 }
 
-/// Returns the elements that a checked path names; none if the path has an error.
+/// Returns the elements that a path names; none if the path has an error. REQUIRES: the checker has checked the path.
 Configurer::Selection Configurer::selection_of(const Expression& path) {
     if (const auto* const use = std::get_if<NameUse>(&path.form)) {
         const auto found = selections_.find(use->meaning);
@@ -108,7 +108,8 @@ std::vector<Element> Configurer::elements(Expression& path, Type::Kind kind, con
     return has_kind(path, kind, what) ? elements(selection_of(path), path.at) : std::vector<Element>{};
 }
 
-/// Returns the single element that a path names; nothing after reporting an error.
+/// Returns the single element that a path names. If it does not name one element, reports an error, and returns
+/// nothing.
 std::optional<Element> Configurer::single(Expression& path, Type::Kind kind, const std::string& what) {
     checker_.check(path);
     if (!has_kind(path, kind, what))

@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Lists the words for types of transputers in old configurations.
+/// Lists the short names that old configurations use for types of transputers.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> short_types = {
     {{"T8", "T800"}, {"T4", "T414"}, {"T5", "T425"}, {"TA", "T414"}, {"TB", "T414"}}};
 constexpr std::int64_t usual_memory_bytes = 2 * 1024 * 1024;
@@ -30,7 +30,7 @@ std::string full_type(const std::string& word) {
 
 } // namespace
 
-/// Returns the node that PROCESSOR names; nothing after reporting that there is none.
+/// Returns the node that PROCESSOR names. If there is none, reports an error, and returns nothing.
 std::optional<Element> Configurer::node_of(Processor& processor) {
     checker_.check(processor.number);
     if (processor.number.type->is(Basic::integer))
@@ -44,7 +44,7 @@ std::optional<Element> Configurer::node_of(Processor& processor) {
     return node;
 }
 
-/// Returns the processor of `PROCESSOR 0 T8`, where no NETWORK describes it.
+/// Returns the processor that a statement such as `PROCESSOR 0 T8` describes: its number and type, without a NETWORK.
 std::optional<Element> Configurer::numbered_node(Processor& processor) {
     const auto number = constant(processor.number, "the number of a processor");
     if (!number)
@@ -73,7 +73,8 @@ std::optional<Element> Configurer::numbered_node(Processor& processor) {
     return element;
 }
 
-/// Returns the kind of a procedure; null after reporting a parameter to which a netlist cannot give a value.
+/// Returns the kind of a procedure. If a netlist cannot give a value to one of its parameters, reports an error, and
+/// returns null.
 const ProcessKind* Configurer::kind_of_procedure(const Declaration& procedure) {
     if (const auto known = configured_.kinds.find(&procedure); known != configured_.kinds.end())
         return &known->second;

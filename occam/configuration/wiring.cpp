@@ -24,7 +24,7 @@ std::string type_in(const std::vector<std::uint8_t>& bytes) {
 
 } // namespace
 
-/// Returns an end of a connection; nothing after reporting an error in it.
+/// Returns an end of a connection. If the end has an error, reports the error, and returns nothing.
 std::optional<WireEnd> Configurer::end_of(ConnectionEnd& end) {
     checker_.check(end.path);
     const Type::Kind kind = innermost(*end.path.type).kind;
@@ -63,7 +63,7 @@ void Configurer::connect(const Place& place, Connect& written) {
     configured_.wires.push_back({*a, *b});
 }
 
-/// Gives the next wire the name of an arc.
+/// States that the arc names the wire that is added next. Reports an arc that already names a wire.
 void Configurer::name_wire(const Element& arc, const Place& place) {
     const auto [known, is_new] = wire_of_arc_.emplace(arc, configured_.wires.size());
     if (!is_new)

@@ -21,7 +21,7 @@ std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& fi
     std::string_view rest = file->text();
     for (std::uint32_t line = 1; !rest.empty(); ++line) {
         const auto end = std::min(rest.find('\n'), rest.size());
-        if (!in_string) // otherwise the string continues
+        if (!in_string) // otherwise continue_string() appends to the last word of the previous line
             words.clear();
         const auto scan = in_string ? &WordScanner::continue_string : &WordScanner::scan;
         in_string = (scanner.*scan)(file->line(line), {0, line, 1}, 0, words);
@@ -32,7 +32,8 @@ std::vector<std::string> occam_words(const std::shared_ptr<const SourceFile>& fi
     return texts;
 }
 
-/// Returns a line with its leading tabs as blanks, up to the next multiple of eight, and without blanks at its end.
+/// Returns the line without blanks at its end. Each leading tab is replaced by blanks up to the next multiple of eight
+/// columns.
 std::string laid_out_line(std::string_view line) {
     constexpr std::size_t tab = 8;
     const auto last = line.find_last_not_of(" \t\r\f\v");
@@ -57,7 +58,7 @@ std::optional<std::string> with_tidy_blanks(const std::shared_ptr<const SourceFi
     try {
         const auto made = std::make_shared<const SourceFile>(file->path(), text);
         return occam_words(made) == occam_words(file) ? std::optional(text) : std::nullopt;
-    } catch (const GiveUp&) { // most of the words are errors
+    } catch (const GiveUp&) { // the text has too many errors
         return std::nullopt;
     }
 }

@@ -123,7 +123,8 @@ void execute_option(Reading& reading, const Word& letters) {
         case 'K': reading.source_options.range_checks = false; break;
         case 'U': reading.source_options.run_time_checks = false; break;
         case 'V': reading.source_options.vector_space = false; break;
-        case 'E': // no extended types, debugging, warnings, code in assembler: without meaning here
+        // The options for extended types, debugging, warnings and code in assembler have no effect in this compiler.
+        case 'E':
         case 'G':
         case 'W':
         case 'Y':

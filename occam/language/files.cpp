@@ -22,8 +22,8 @@ std::string without_folders(const std::string& name) {
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-/// Returns the names under which the text of a file may be stored. A compiled file, such as x.tco, is read from its
-/// source; so is x.module, which KRoC makes from x.occ.
+/// Returns the names under which the text of a file may be stored. For a compiled file, such as x.tco, these are the
+/// names of its source. For x.module, which KRoC makes from x.occ, they include x.occ.
 std::vector<std::string> file_names(const std::string& name, FileUse use) {
     static constexpr std::array<std::string_view, 4> sources = {".occ", ".inc", ".module", ".pgm"};
     std::string forward = name;
@@ -39,7 +39,7 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
-/// Returns whether the name names a library, which has no single source file beside it.
+/// Returns whether this is the name of a library. The source of a library is not a single file.
 bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
 
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
@@ -78,7 +78,7 @@ void refuse_missing(Reading& reading, const std::string& name, const std::vector
     for (const std::string& each : names)
         sought += (sought.empty() ? "" : ", ") + each;
     reading.reporter.error(reading.location(at), fmt::format("the file \"{}\" is missing", name),
-                           fmt::format("looked for {} in {}, and among the libraries of this program", sought, where));
+                           fmt::format("looked for {} in {}, and among the built-in libraries", sought, where));
 }
 
 /// Loads a file that exists. Its problems, such as bytes that are not text, are reported.

@@ -27,8 +27,8 @@ struct Reading {
     const ParseOptions& options;
     Reporter& reporter;
     SourceOptions source_options = {};
-    std::map<std::string, std::size_t> units = {};   ///< by key
-    std::vector<OpenFile> open = {};                 ///< the main file first
+    std::map<std::string, std::size_t> units = {};   ///< indices in Program::units; key: OpenFile::key
+    std::vector<OpenFile> open = {};                 ///< the files that are being read, beginning with the main file
     std::map<std::string, std::string> defined = {}; ///< names of the preprocessor with their values
     std::set<std::string, std::less<>> refused =
         {};                ///< words of the language that have been refused; each is refused only once
@@ -46,7 +46,7 @@ struct FoundFile {
 
 /// Looks for a file that is named at a place. Searches the folder of the file that names it, then the folders of the
 /// options, then PlacedPar's own files. For a library, searches PlacedPar's own files first. Reports an error if the
-/// file does not exist, if it is already open, or if files are nested too deeply.
+/// file does not exist, if it is already open, or if files include or use each other too deeply.
 std::optional<FoundFile> find_file(Reading&, const std::string& name, FileUse, const Place& named_at);
 
 /// Adds a file to the program, and returns its index.

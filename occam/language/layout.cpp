@@ -12,8 +12,8 @@ constexpr std::uint32_t indentation_step = 2;
 
 } // namespace
 
-/// Continues after a refused line, at the next line that is not indented further. `line` is the number of lines taken
-/// before the statement.
+/// Continues after a refused statement, at the next line whose indentation is at most `indentation`. `line` is the
+/// number of lines that had been read before the statement.
 void Parser::recover(std::uint32_t indentation, std::size_t line) {
     if (line == lines_taken_ || !is_at_line_start())
         next_line();
@@ -34,7 +34,7 @@ void Parser::parse_header(const Component& header) {
     }
 }
 
-/// Returns whether the line belongs to the block of a line with this indentation.
+/// Returns whether the next line belongs to the block below a line with this indentation.
 bool Parser::block_goes_on(std::uint32_t indentation) const {
     return !is_at_end() && peek().indentation > indentation && !peek().is(":") && !peek().is(")");
 }
@@ -48,11 +48,12 @@ std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
 }
 
 void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Word& head) {
-    reading_.reporter.error(at(first),
-                            fmt::format("wrong indentation: the line begins with {}, but {} are expected",
-                                        counted(first.indentation, "blank"), wanted),
-                            fmt::format("lines below \"{}\" are indented two blanks further than its line", head.text),
-                            {{fmt::format("the \"{}\" is here", head.text), at(head)}});
+    reading_.reporter.error(
+        at(first),
+        fmt::format("wrong indentation: the line begins with {}, but {} are expected",
+                    counted(first.indentation, "blank"), wanted),
+        fmt::format("indent the lines below \"{0}\" by two blanks more than the line of \"{0}\"", head.text),
+        {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
 
 /// Reads the block below the line of `head`, which has ended. The lines of the block are indented two blanks further.

@@ -88,7 +88,7 @@ Line Lines::next() {
     return line;
 }
 
-/// Appends the continuation lines of a line. A line that is indented less is not a continuation.
+/// Appends the continuation lines of `line`. A line that is indented less than `line` is not a continuation.
 void Lines::continue_line(Line& line, bool in_string) {
     while (in_string || (!line.words.empty() && continues_line(line.words.back()))) {
         std::vector<Word> directive, words;
@@ -129,7 +129,7 @@ void Lines::warn_of_tabs(const TextLine& line) {
                               "indent with blanks: two for each level");
 }
 
-/// Returns the word after the directive. If it is of another kind, reports an error and returns null.
+/// Returns the word after the directive. If there is no word of this kind, reports an error and returns null.
 const Word* Lines::argument(const std::vector<Word>& words, WordKind kind, std::string_view what) {
     if (words.size() >= 2 && words[1].kind == kind)
         return &words[1];

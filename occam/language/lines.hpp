@@ -12,10 +12,11 @@ namespace placedpar::occam {
 /// Holds a line of a program together with its continuation lines. The last word is of kind `end`.
 struct Line {
     std::vector<Word> words;
-    bool is_end = false; ///< there is no line: the last line of the file has been returned
+    bool is_end = false; ///< true after the last line of the file: there is no further line
 };
 
-/// Reads the lines of a file and of the files that it includes, and executes directives. The parser executes #USE.
+/// Reads the lines of a file and of the files that it includes. Executes all directives but #USE, which the parser
+/// executes.
 class Lines {
 public:
     /// REQUIRES: the file is the last of `reading.open`.
@@ -28,7 +29,7 @@ private:
     /// Describes an #IF whose #ENDIF has not been read.
     struct Condition {
         Place at;
-        bool is_true = false;  ///< the lines of the present branch are read
+        bool is_true = false;  ///< the condition of the present branch holds, so its lines are read
         bool was_true = false; ///< this branch or an earlier one was read
         bool has_else = false;
     };
@@ -69,11 +70,11 @@ private:
 
 // Directives (directives.cpp)
 
-/// Returns whether the directive chooses lines: #IF, #ELIF, #ELSE, #ENDIF.
+/// Returns whether the directive is #IF, #ELIF, #ELSE or #ENDIF.
 bool is_condition(std::string_view directive);
 /// Returns whether the condition in `words`, after its directive, is true. Reports errors.
 bool evaluate_condition(Reading&, const std::vector<Word>& words);
-/// Executes #OPTION: a string of letters.
+/// Executes #OPTION, which is followed by a string of letters.
 void execute_option(Reading&, const Word& letters);
 /// Executes #PRAGMA with the word that follows it.
 void execute_pragma(Reading&, const Word& what);

@@ -15,9 +15,9 @@ namespace placedpar::occam {
 /// Holds the options for reading a program.
 struct ParseOptions {
     std::vector<std::filesystem::path>
-        folders; ///< folders for #INCLUDE and #USE, searched after the folder of the file that names the other file
-    /// Returns the text of one of PlacedPar's own files or libraries, such as "hostio.inc"; nothing if there is none.
-    /// The name has no path, and only small letters.
+        folders; ///< where #INCLUDE and #USE look for a file that is not in the folder of the file that names it
+    /// Returns the text of one of PlacedPar's own files or libraries, such as "hostio.inc"; nothing if none has this
+    /// name. The name has no path, and only small letters.
     std::function<std::optional<std::string>(const std::string& name)> built_in;
     std::vector<std::string> defined; ///< names that are defined for the preprocessor
 };
@@ -33,8 +33,8 @@ struct Parsed {
     SourceOptions options;
 };
 
-/// Reads a file, and all files that it includes or uses. Reports errors; the tree then has only the parts without
-/// errors.
+/// Reads a file, and all files that it includes or uses. If there are errors, reports them, and returns a tree of only
+/// the parts without errors.
 Parsed parse(std::shared_ptr<const SourceFile>, const ParseOptions&, Reporter&);
 
 } // namespace placedpar::occam

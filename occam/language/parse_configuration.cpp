@@ -10,7 +10,8 @@
 
 namespace placedpar::occam {
 
-/// The keywords of configurations are names elsewhere, so they count as keywords only where a name is not allowed.
+/// NETWORK, MAPPING and CONFIG may also be names of procedures or variables. So they begin a part of a configuration
+/// only if the line ends after the word, or after one name that follows it.
 bool Parser::is_configuration_part() const {
     if (peek().is_word("PLACED"))
         return true;
@@ -135,7 +136,8 @@ MapOnto Parser::parse_map() {
     return map;
 }
 
-/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. A type may follow a name, so a name is tried before a conversion.
+/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. Reads the node as an operand, since a complete
+/// expression would take `node T8` as a conversion.
 Process Parser::parse_processor() {
     const Word head = take();
     Processor process;

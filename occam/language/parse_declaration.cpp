@@ -149,7 +149,7 @@ void Parser::parse_value(std::vector<DeclarationBox>& declarations) {
         refuse(peek(), fmt::format("IS or RETYPES is expected: found {}", describe(peek())));
 }
 
-/// Reads `x IS e:`, `c! IS d!:`.
+/// Reads `x IS e:` or `c! IS d!:`.
 void Parser::parse_untyped(std::vector<DeclarationBox>& declarations, bool is_value) {
     const Word name = peek();
     expect_name(is_value ? "a value" : "an abbreviation");

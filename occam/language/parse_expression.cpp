@@ -77,7 +77,8 @@ Expression Parser::parse_expression() {
     return parse_chain(parse_operand());
 }
 
-/// Refuses a second operator after an operand, because operators have no precedence.
+/// Reads operators and operands after the first operand. Refuses a second operator, because operators have no
+/// precedence; only AND and OR may be chained.
 Expression Parser::parse_chain(Expression left) {
     std::size_t length = 0;
     std::optional<Operator> last;
@@ -110,7 +111,7 @@ Expression Parser::parse_unary(Operator operation) {
     return made(word, UnaryOperation{operation, std::make_unique<Expression>(std::move(operand))});
 }
 
-/// Returns whether a conversion begins here, such as `INT x`, or `LENGTH x` with a DATA TYPE.
+/// Returns whether a conversion begins here, such as `INT x`, or `LENGTH x`, in which LENGTH is a DATA TYPE.
 bool Parser::is_conversion() const {
     if (basic_type(peek()))
         return true;
@@ -347,7 +348,7 @@ Expression Parser::parse_parentheses() {
     return inner;
 }
 
-/// Reads specifications, VALOF, its process and its results; then the next word may be a `)`.
+/// Reads specifications, VALOF, its process and its results. A `)` may follow the results.
 ValueProcess Parser::parse_value_process() {
     ValueProcess value;
     parse_declarations(value.declarations, true);

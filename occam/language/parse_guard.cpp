@@ -104,7 +104,8 @@ void Parser::parse_guard(Alternative& alternative) {
     end_line("a guard");
 }
 
-/// Reads what follows `c ? CASE`: variants below, each with its process, or one variant in the same line.
+/// Reads the variants of `c ? CASE`: several variants on the lines below, each with its process, or one variant on the
+/// same line.
 void Parser::parse_variants(VariantInput& input, const Word& head) {
     if (peek().kind != WordKind::end) {
         Variant variant;

@@ -4,7 +4,7 @@
 
 namespace placedpar::occam {
 
-/// Expects the line with `:` that ends a PROC or the like.
+/// Expects the line with `:` that ends a PROC, FUNCTION, PROTOCOL, DATA TYPE, or part of a configuration.
 void Parser::end_body(const Word& head, std::string_view what) {
     if (!peek().is(":")) {
         const Location place = is_at_end() ? at(last_) : at(peek());
@@ -16,14 +16,15 @@ void Parser::end_body(const Word& head, std::string_view what) {
     }
     const Word colon = take();
     if (colon.indentation != head.indentation && !indentation_in_doubt_)
-        reading_.reporter.error(at(colon),
-                                fmt::format("wrong indentation: the \":\" begins with {} blanks, but {} are expected",
-                                            colon.indentation, head.indentation),
-                                "", {{fmt::format("the \":\" ends {}", what), at(head)}});
+        reading_.reporter.error(
+            at(colon),
+            fmt::format("wrong indentation: the number of blanks before \":\" is {}, but must be {}", colon.indentation,
+                        head.indentation),
+            "", {{fmt::format("the \":\" ends {}", what), at(head)}});
     end_line("\":\"");
 }
 
-/// Returns whether `REC PROC` begins here. It is parsed, but reported as an error.
+/// Returns whether `REC PROC` begins here. Such a procedure is parsed, but REC is reported as an error.
 bool Parser::is_recursive_procedure() const {
     return (peek().is_word("REC") || peek().is_word("RECURSIVE")) && peek(1).is_word("PROC");
 }

@@ -52,7 +52,7 @@ void Parser::parse_base_type(TypeText& type) {
     }
 }
 
-/// Refuses words of other languages that stand where a type is expected.
+/// Refuses words of other languages, such as MOBILE of occam-pi, where a type is expected.
 void Parser::refuse_foreign_type() {
     static constexpr std::array<std::string_view, 5> words = {"MOBILE", "SHARED", "BARRIER", "VAR", "VALUE"};
     const bool is_foreign = std::ranges::find(words, peek().text) != words.end();
@@ -97,7 +97,8 @@ ProtocolText Parser::parse_sequence() {
     return protocol;
 }
 
-/// Returns the number of words from a bracket to its closing bracket; 0 if the line has no closing bracket.
+/// Returns the number of words from a bracket to its closing bracket, both included; 0 if the line has no closing
+/// bracket.
 std::size_t Parser::bracket_length(std::size_t ahead) const {
     std::size_t depth = 0;
     for (std::size_t i = ahead; peek(i).kind != WordKind::end; ++i) {
@@ -109,7 +110,8 @@ std::size_t Parser::bracket_length(std::size_t ahead) const {
     return 0;
 }
 
-/// Returns the number of words of dimensions such as `[4][]`; 0 if there are none, or if this is a segment or a table.
+/// Returns the number of words of dimensions such as `[4][]`; 0 if there are none, or if the brackets are those of a
+/// segment or a table.
 std::size_t Parser::dimensions_length(std::size_t ahead) const {
     std::size_t length = 0;
     while (peek(ahead + length).is("[")) {

@@ -83,7 +83,7 @@ bool Parser::accept_word(std::string_view word) {
 }
 
 void Parser::refuse(const Word& at_word, std::string message, std::string hint) {
-    if (at_word.kind != WordKind::illegal) // the scanner has reported it
+    if (at_word.kind != WordKind::illegal) // otherwise the scanner has reported an error
         reading_.reporter.error(at(at_word), std::move(message), std::move(hint));
     throw LineRefused{};
 }
@@ -136,7 +136,7 @@ std::vector<DeclarationBox> Parser::parse_file() {
                 indentation_in_doubt_ = true;
             }
             const bool is_remainder = first.is(":") || first.indentation != 0;
-            if (is_remainder && reading_.reporter.failed()) // it may belong to a refused statement
+            if (is_remainder && reading_.reporter.failed()) // the line may belong to a refused statement
                 throw LineRefused{};
             if (first.is(":"))
                 refuse(first, "this \":\" ends nothing", "the PROC or FUNCTION has ended above");
@@ -167,7 +167,7 @@ Parsed parse(std::shared_ptr<const SourceFile> file, const ParseOptions& options
             auto library = std::make_shared<const SourceFile>("<predef.lib>", std::move(*text));
             parsed.program->routines = Parser(reading, add_file(reading, std::move(library), {})).parse_file();
         }
-    } catch (const GiveUp&) { // the last diagnostic has the reason
+    } catch (const GiveUp&) { // the last diagnostic states the reason
     }
     parsed.options = reading.source_options;
     return parsed;

@@ -12,7 +12,7 @@
 
 namespace placedpar::occam {
 
-/// A function of the parser throws this exception after reporting an error, to skip the rest of the line.
+/// Functions of the parser throw this exception after reporting an error, to skip the rest of the line.
 struct LineRefused {};
 
 /// Parses one file into a tree, by recursive descent. An error is reported once; reading continues at the next line
@@ -25,7 +25,8 @@ public:
     std::vector<DeclarationBox> parse_file();
 
 private:
-    /// Limits the depth of the tree, and therefore of the stack.
+    /// Counts a level of nesting while it exists. The constructor refuses a level that is too deep, so that the
+    /// recursive descent does not overflow the stack.
     struct Nesting {
         explicit Nesting(Parser&);
         ~Nesting() { --reading.depth; }
@@ -148,8 +149,8 @@ private:
     void parse_tag(Variant&);
 
     // Declarations (parse_declaration.cpp)
-    /// Returns whether a declaration begins here. `or_expression`: an expression may begin here, too, so `INT x` is a
-    /// conversion.
+    /// Returns whether a declaration begins here. If `or_expression`, an expression may also begin here, and `INT x` is
+    /// then read as a conversion.
     bool is_declaration(bool or_expression) const;
     bool is_foreign_statement() const;
     void parse_declarations(std::vector<DeclarationBox>&, bool or_expression);

@@ -35,7 +35,7 @@ struct TypeText;
 
 /// Holds an item of a protocol, such as `T` or `count::[]T`.
 struct ItemText {
-    std::shared_ptr<TypeText> count; ///< null unless the array is counted
+    std::shared_ptr<TypeText> count; ///< type of the count; null unless the item is a counted array
     std::shared_ptr<TypeText> type;
 };
 /// Holds the protocol after CHAN OF: ANY, a name, or items.
@@ -66,10 +66,10 @@ enum class Operator : std::uint8_t {
     subtract,
     multiply,
     divide,
-    remainder, // up to here, an overflow is an error
+    remainder, // for all operators from `add` to here, an overflow is an error
     plus,
     minus,
-    times, // modulo 2^n
+    times, // `plus`, `minus` and `times` compute modulo 2^n
     bit_and,
     bit_or,
     bit_xor,
@@ -107,7 +107,7 @@ struct NameUse {
 /// Holds a literal such as `42`, `#2A`, `'a'`, `42(INT64)` or `TRUE`.
 struct IntegerLiteral {
     std::uint64_t value = 0;
-    bool negative_allowed = false; ///< the literal directly follows a minus sign, so it may be 2^(n-1)
+    bool negative_allowed = false; ///< the literal directly follows a minus sign, so a type of n bits allows 2^(n-1)
     std::optional<Basic> type;     ///< the stated type; BYTE for a character, BOOL for TRUE and FALSE; nothing: INT
     std::string type_name = {};    ///< name of a DATA TYPE, as in `42(LENGTH)`
 };
@@ -200,7 +200,7 @@ struct Stop {};
 struct Assignment {
     std::vector<Expression> targets, values;
 };
-/// Holds an item of an input or an output: `x` or `n::a`.
+/// Holds an item of an input or an output: a value `x`, or a counted array `n::a`.
 struct Item {
     Expression value;
     ExpressionBox counted_array; ///< null unless the item is counted; then `value` is the count
@@ -214,8 +214,8 @@ struct Input {
 struct Delay {
     Expression timer, time;
 };
-/// Holds `tag; x` and its process, as an option of `c ? CASE`. In `c ? CASE tag; x` there is one variant, without a
-/// process.
+/// Holds a variant of `c ? CASE`: `tag; x` and the process below it. The short form `c ? CASE tag; x` has one variant,
+/// without a process.
 struct Variant {
     Place at;
     std::vector<DeclarationBox> declarations; ///< before the tag
@@ -376,7 +376,7 @@ struct Procedure {
     ProcessBox body;
     bool is_inline = false;
 };
-/// If the function is defined by `IS`, its body has neither declarations nor a process.
+/// Holds a FUNCTION. If the function is defined by `IS`, its body has neither declarations nor a process.
 struct Function {
     std::vector<std::shared_ptr<TypeText>> results;
     std::vector<DeclarationBox> parameters;
@@ -412,7 +412,7 @@ struct DataType {
 struct Placement {
     enum class Where : std::uint8_t { address, workspace, vector_space, arc };
     Where where = Where::address;
-    ExpressionBox address; ///< or the arc
+    ExpressionBox address; ///< the address, or the arc if `where` is arc
     std::vector<Expression> paths = {};
     Declaration* placed = nullptr; ///< checked
 };
@@ -431,7 +431,7 @@ struct Predefined {
     std::vector<Parameter::Passing> passing = {}; ///< how each parameter is passed
 };
 
-/// Says how a PROC uses a channel parameter or a declared channel.
+/// States whether the program outputs to a channel or inputs from it, within the scope of the channel.
 enum class Direction : std::uint8_t { unused, input, output };
 
 struct Declaration {
@@ -444,7 +444,7 @@ struct Declaration {
     std::optional<Constant> constant; ///< checked: value of a VAL abbreviation, if it is known at compile time
     Direction direction =
         Direction::unused; ///< checked: direction in which a channel or channel parameter is used within its scope
-    const Placement* placement = nullptr; ///< checked: null unless it is placed
+    const Placement* placement = nullptr; ///< checked: the PLACE of this variable or channel; null if there is none
 };
 
 /// Holds the declarations of a file that #USE names, such as a library.
@@ -466,11 +466,11 @@ struct Program {
     std::vector<std::unique_ptr<Unit>> units;             ///< in an order in which each unit uses only earlier units
     std::vector<DeclarationBox> declarations;             ///< declarations of the main file
     std::vector<DeclarationBox> predefined;               ///< predefined names, which the checker adds
-    /// The routines of the library predef. The code calls them for predefined routines, and for operations on reals
-    /// that the processor has no instructions for.
+    /// Holds the routines of the library predef. The generated code calls these routines for predefined routines, and
+    /// for operations on reals for which the processor has no instructions.
     std::vector<DeclarationBox> routines;
     Types types;
-    /// True: a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
+    /// If true, a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
     /// PlacedPar uses them in the program that it writes to run all processes of a node.
     bool has_channel_tables = false;
     std::vector<ResolvedName> resolved; ///< checked: all names, except names in the parts of configurations

@@ -61,7 +61,7 @@ struct Type {
 /// of type `count` and the elements.
 struct ProtocolItem {
     const Type* type = nullptr;  ///< for a counted array: the open array
-    const Type* count = nullptr; ///< null unless the array is counted
+    const Type* count = nullptr; ///< type of the length; null unless the item is a counted array
     bool operator==(const ProtocolItem&) const = default;
 };
 

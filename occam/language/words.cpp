@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",  "B
                                                              "FROM",  "IS",   "MINUS",  "NOT",    "OR",    "PLUS",
                                                              "REM",   "SIZE", "TIMES",  "RETYPES"};
 
-/// Lists the symbols. Each symbol comes before all shorter symbols with which it begins.
+/// Lists the symbols. Longer symbols come first: `:=` before `:`, so that `:=` is not read as two symbols.
 constexpr std::array<std::string_view, 33> symbols = {
     ":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+", "-", "*", "/", "\\", "=", "<",
     ">",  "~",  "(",  ")",  "[",  "]",  ",",  ";",  ":",   "?",   "!", "&", "|", "@", "{",  "}"};
@@ -107,7 +107,7 @@ bool WordScanner::scan_rest(std::vector<Word>& words) {
     }
 }
 
-/// Skips blanks, and counts the columns up to the next word for its indentation.
+/// Skips blanks. Counts the columns up to the next word, which are its indentation.
 void WordScanner::skip_blanks() {
     while (position_ < line_.size() &&
            (at(position_) == ' ' || at(position_) == '\t' || at(position_) == '\f' || at(position_) == '\v'))
@@ -116,7 +116,7 @@ void WordScanner::skip_blanks() {
         blanks_ = at(counted_) == '\t' ? blanks_ / 8 * 8 + 8 : blanks_ + 1;
 }
 
-/// Returns whether the word is a string that continues in the next line.
+/// Returns whether the word is a string that continues on the next line.
 bool WordScanner::scan_word(std::vector<Word>& words) {
     Word& word = words.emplace_back();
     const std::size_t start = position_;
@@ -264,7 +264,7 @@ void WordScanner::take_escape(std::string& bytes, bool first_of_string) {
     }
 }
 
-/// Returns whether the string continues in the next line.
+/// Returns whether the string continues on the next line.
 bool WordScanner::take_string(Word& word) {
     while (position_ < line_.size()) {
         if (at(position_) == '"') {

@@ -31,12 +31,12 @@ struct Word {
     std::string_view text = {};
     Place at = {};
     std::uint32_t indentation =
-        0;                  ///< number of blanks in front of the word, counting tabs and the indentation of an #INCLUDE
+        0; ///< column of the word, counted from 0: tabs count as blanks, and the indentation of an #INCLUDE is added
     std::string bytes = {}; ///< bytes of a character or string, with escapes resolved; for #USE, the name of the file
 
     bool is(std::string_view symbol) const { return kind == WordKind::symbol && text == symbol; }
-    /// Returns whether this is the keyword `word`, or a name with this text. The keywords of later versions of occam
-    /// are names here.
+    /// Returns whether this is the keyword `word`, or a name with this text. Keywords that only later versions of occam
+    /// have, such as STEP, are names for the scanner.
     bool is_word(std::string_view word) const {
         return (kind == WordKind::keyword || kind == WordKind::name) && text == word;
     }
@@ -46,7 +46,7 @@ struct Word {
 /// the language expects this keyword, so that old programs can use it as a name.
 bool is_keyword(std::string_view text);
 std::span<const std::string_view> all_keywords();
-/// Returns "the name \"x\"", "the keyword \"SEQ\"", "\":=\"", "the end of the line" for messages.
+/// Returns a text for messages, such as: the name "x", the keyword "SEQ", ":=", the end of the line.
 std::string describe(const Word&);
 /// Returns whether a line that ends with this word continues on the next line: the word is an operator, `,`, `:=`, `IS`
 /// or the like.

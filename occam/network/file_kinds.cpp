@@ -38,9 +38,9 @@ struct FileOfPrograms {
     bool failed = false;
 };
 
-/// Holds everything from which an image is made. The parameters of the processes are in the text.
+/// Holds everything that determines the image of a node: the contents of its memory when a run begins.
 struct ImageSource {
-    std::string text;
+    std::string text;               ///< the program of the node, including the parameters of its processes
     std::vector<std::string> names; ///< names of the node, of its type, and of the processes
     Folders folders;
     std::vector<const FileOfPrograms*> files; ///< files of the processes
@@ -48,7 +48,7 @@ struct ImageSource {
     auto operator<=>(const ImageSource&) const = default;
 };
 
-/// Holds a kind that was made from a file. It is never changed or removed, since other objects have its address.
+/// Holds a kind that was made from a file. It is never changed or removed, since other objects hold pointers to it.
 struct KindOfFile {
     std::shared_ptr<const FileOfPrograms> file;
     Folders folders;
@@ -81,9 +81,9 @@ std::uint64_t hash_of(const Program& program) {
     return hash;
 }
 
-/// Parses and checks a text. `is_of_user` is false for a text that PlacedPar has made to join the processes of a
-/// network. The usage of variables and channels is not checked there, since each channel of a network has one process
-/// at each end.
+/// Parses and checks a text. `is_of_user` is false for the program that PlacedPar writes to run all processes of a
+/// node. In this program, the usage of variables and channels is not checked: the netlist already guarantees that each
+/// channel has one process at each end.
 FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
                                   bool is_of_user) {
     Reporter reporter;
@@ -147,8 +147,8 @@ const Declaration* procedure_named(const Program& program, const std::string& na
     return last;
 }
 
-/// Returns the declaration of the first process on the node that is code; the declaration of the node if it only passes
-/// messages on.
+/// Returns the place where the netlist declares the first process in occam on the node. If the node has no such
+/// process, and only passes messages on, returns the place where the node is declared.
 const Location& place_of_code(const Network& network, std::size_t node) {
     const auto first = std::ranges::find_if(
         network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
@@ -246,8 +246,8 @@ private:
         return std::nullopt;
     }
 
-    /// Reads a file, unless it was read before and neither it nor a file that it includes has changed since. Reports
-    /// warnings only when it reads the file. Returns null after reporting that the file cannot be read.
+    /// Reads a file. If the file was read before, and no file of the program has changed since, returns the earlier
+    /// result, and does not report its warnings again. Returns null after reporting that the file cannot be read.
     std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
                                                     Reporter& reporter) {
         std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
@@ -263,9 +263,9 @@ private:
         return known;
     }
 
-    /// Names the workspaces and the code of the components of the text. For a process within a component, the name of
-    /// the component comes first: "table/phil[2]". If the netlist has no name for a process, the name of the node comes
-    /// first.
+    /// Gives the workspaces and the code of the components their names in reports. For a process within a component,
+    /// the name of the component comes first: "table/phil[2]". If the netlist has no name for a process, the name of
+    /// the node comes first.
     static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
         std::erase_if(code.workspaces,
@@ -290,8 +290,8 @@ private:
                 each.name = found->second;
     }
 
-    /// Returns rows of transputer::CodeLines that give channels their names in the network. If a channel leads to
-    /// another processor, its two ends have the same name, although they are words of two memories.
+    /// Returns rows for transputer::CodeLines with the names that channels have in the network. A channel to another
+    /// processor has one name, although its ends are words in two memories.
     static std::string channel_rows(const Code& code, const TextOfImage& text, transputer::Word first_workspace) {
         std::string rows;
         for (const CodeChannel& each : code.channels)
@@ -308,7 +308,8 @@ private:
         return {kind.path, kind.file->program.get(), kind.procedure};
     }
 
-    /// Sets the options that the files of the node's processes request, and returns the folders of one of these files.
+    /// Turns off the checks and the vector space if an #OPTION in a file of the node's processes does so. Returns the
+    /// folders in which one of these files looks for other files.
     Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
         Folders folders;
         for (const ProcessInstance& process : network.processes)
@@ -323,7 +324,7 @@ private:
         return folders;
     }
 
-    /// Returns the program of a node. Compiles it only once, since a study makes many runs of the same program.
+    /// Returns the program of a node. Compiles it only once, since a study runs the same program many times.
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
         constexpr std::size_t most_images = 1000;
         CodeOptions options{.mode = error_mode(chosen_.mode),

@@ -120,8 +120,8 @@ private:
     }
 
     /// Adds a process. Processes of high priority that carry messages never end, so a program with such processes ends
-    /// with its processes of low priority. A process of low priority then waits for the end of each other process of
-    /// high priority.
+    /// as soon as its processes of low priority have ended. Therefore one process of low priority waits until all other
+    /// processes of high priority have ended.
     void add(const ProcessInstance& process, const std::string& indentation) {
         Components& to = process.high_priority ? high_ : low_;
         const bool is_awaited = process.high_priority && carries_;
@@ -290,13 +290,13 @@ private:
     std::size_t node_;
     const ProgramOf& program_of_;
     NodeRoutes ways_;
-    bool carries_; ///< processes of high priority carry messages of other processes
+    bool carries_; ///< this node has processes of high priority that carry messages of other processes
     TextOfImage image_;
     Components high_, low_;
-    std::map<std::string, std::string> protocols_; ///< declarations by name
+    std::map<std::string, std::string> protocols_; ///< declarations of protocols; key: name
     std::set<std::string> servers_;                ///< declared channels to and from the host
     std::string wire_protocols_, declarations_;
-    std::string ends_; ///< inputs that wait for the ends of processes of high priority
+    std::string ends_; ///< inputs that wait until the processes of high priority have ended
 };
 
 } // namespace

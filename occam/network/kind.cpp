@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// All ports of processes in occam have this C++ type.
+/// Stands for the C++ type of the messages at all ports of processes in occam.
 struct BytesOfItems {};
 
 const Type& plain_type(const Type& type) { return type.kind == Type::Kind::derived ? plain_type(*type.element) : type; }
@@ -29,7 +29,7 @@ std::vector<std::type_index> single_or_counted(bool counted) {
     return {counted ? std::type_index(typeid(std::vector<T>)) : std::type_index(typeid(T))};
 }
 
-/// Returns the C++ types of a value, or of a counted array of such values.
+/// Returns the C++ types that correspond to a value, or to a counted array of such values.
 std::vector<std::type_index> types_of_basic(Basic basic, bool counted) {
     switch (basic) {
     case Basic::boolean: return counted ? std::vector<std::type_index>{} : single_or_counted<bool>(false);
@@ -44,7 +44,7 @@ std::vector<std::type_index> types_of_basic(Basic basic, bool counted) {
     return single_or_counted<std::int32_t>(counted);
 }
 
-/// Returns the C++ types that have the byte form of the protocol.
+/// Returns the C++ types whose packets consist of the same bytes as the messages of the protocol.
 std::vector<std::type_index> byte_types_of(const ProtocolType& protocol) {
     if (protocol.kind != ProtocolType::Kind::sequence || protocol.items.size() != 1)
         return {};
@@ -93,7 +93,7 @@ private:
             refuse(parameter,
                    fmt::format("a netlist cannot set the parameter \"{}\" of PROC {}: its type is {}{}", parameter.name,
                                procedure_.name, is_value ? "VAL " : "", name_of(type)),
-                   "a netlist can set channels, VAL scalars, and a text for VAL []BYTE");
+                   "a netlist can connect channels, and can set VAL scalars, and VAL []BYTE to a text");
     }
 
     static std::string about(const Declaration& parameter) {
@@ -121,7 +121,7 @@ private:
     void add_port(const Declaration& parameter) {
         const bool to_server = leads_to_server(parameter);
         Direction direction = direction_of(parameter);
-        if (direction == Direction::unused && to_server) // a procedure may use only one of the two
+        if (direction == Direction::unused && to_server) // a procedure may use only one of its two channels to the host
             direction = servers_++ == 0 ? Direction::input : Direction::output;
         else
             servers_ += to_server;
@@ -129,7 +129,7 @@ private:
             return refuse(parameter,
                           fmt::format("PROC {} does not use its channel \"{}\", so its direction is unknown",
                                       procedure_.name, parameter.name),
-                          fmt::format("write {0}? or {0}!", parameter.name));
+                          fmt::format("declare it as {0}? for input, or {0}! for output", parameter.name));
         const ProtocolType& protocol = protocol_of(*parameter.type);
         const bool is_input = direction == Direction::input;
         PortDescription port{.name = netlist_name(parameter.name),
@@ -150,7 +150,7 @@ private:
     const Declaration& procedure_;
     Reporter& reporter_;
     ProcessKind kind_;
-    int servers_ = 0; ///< channels of the server's protocol so far
+    int servers_ = 0; ///< number of channels with the server's protocol so far
     bool failed_ = false;
 };
 

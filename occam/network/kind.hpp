@@ -33,8 +33,8 @@ std::string text_of_items(const std::vector<ProtocolItem>&);
 /// equal.
 std::string text_of(const ProtocolType&);
 
-/// Returns the kind of processes that execute a checked procedure: its ports and parameters. Returns nothing, after
-/// reporting, if a netlist cannot give a value to one of the parameters.
+/// Returns the kind of processes that execute a checked procedure: its ports and parameters. If a netlist cannot
+/// give a value to one of the parameters, reports this, and returns nothing.
 std::optional<ProcessKind> kind_of(const Program&, const Declaration& procedure, Reporter&);
 
 } // namespace placedpar::occam

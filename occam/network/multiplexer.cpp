@@ -37,7 +37,7 @@ std::string tag_on_wire(const CarriedChannel& channel, const MessageForm& form) 
 
 std::string taken(const CarriedChannel& channel) { return fmt::format("netlist.taken.{}", channel.number); }
 
-/// Makes the variables for the items of a message in each form.
+/// Writes the variables that hold the items of a message: a separate variable for each item of each form.
 class MessageVariables {
 public:
     MessageVariables(const CarriedChannel& channel, const std::string& prefix) : channel_(channel), prefix_(prefix) {}
@@ -119,8 +119,8 @@ private:
             {fmt::format("{} of link[{}]{}{}", what, at_, of ? ", " : "", of ? of->name : ""), std::move(text), true});
     }
 
-    /// Returns the number of entries that the queue has room for. The queue has at most one entry for each channel, and
-    /// the entry that is being sent.
+    /// Returns the number of entries that the queue has room for. At most one entry for each channel waits, besides the
+    /// entry that is being sent.
     std::size_t room() const { return std::bit_ceil(w_.leaving.size() + w_.arriving.size() + 2); }
 
     std::string protocol(const char* direction, const std::vector<CarriedChannel>& with,
@@ -148,7 +148,7 @@ private:
                                           at_, w_.link + first_input_link, room());
     }
 
-    /// Puts an entry into the queue, and wakes the process that empties it.
+    /// Returns statements that put an entry into the queue, and wake the process that empties the queue if it waits.
     std::string enqueue(const std::string& entry) const {
         return fmt::format("netlist.queue.{0}[netlist.next.{0}] := {1}\n"
                            "netlist.next.{0} := (netlist.next.{0} + 1) /\\ {2}\n"
@@ -210,14 +210,14 @@ private:
     const SharedWire& w_;
     std::string at_; ///< number of the link
     CarrierText text_;
-    std::size_t entries_ = 0; ///< number of kinds of entries so far
+    std::size_t entries_ = 0; ///< number of different entries that the text can put into the queue so far
 };
 
 } // namespace
 
 namespace {
 
-/// Returns whether a program may give an array another type, with another number of elements.
+/// Returns whether a program may see an array as an array with another number of elements, by RETYPES or RESHAPES.
 bool sees_arrays_otherwise(const Program& program) {
     return std::ranges::any_of(program.files, [](const std::shared_ptr<const SourceFile>& file) {
         return !file->path().starts_with('<') && (file->text().find("RETYPES") != std::string::npos ||

@@ -33,17 +33,17 @@ std::string print_value(const Value& value) {
     return std::visit([](const auto& of) { return fmt::format("{}", of); }, value);
 }
 
-/// Says why a value cannot be set. The value has the type of the VAL, but does not fit in it.
+/// Returns the reason why the VAL cannot have this value, which is of the right kind, but does not fit in the type.
 std::string refusal(const Value& chosen, const Type& type) {
     if (std::holds_alternative<std::string>(chosen))
-        return fmt::format("its type {} holds a text of exactly that size", name_of(type));
+        return fmt::format("its type is {}, and a text must have exactly this size", name_of(type));
     if (std::holds_alternative<double>(chosen))
         return fmt::format("the number is too large for {}", name_of(type));
     return fmt::format("{} holds whole numbers from {} to {}", name_of(type), most_negative(type.basic),
                        most_positive(type.basic));
 }
 
-/// Returns whether the text fits. It may have another length, unless the type of the VAL states it.
+/// Sets the VAL to the text. Returns false if the type of the VAL states a length, and the text has another length.
 bool set_text(Program& program, Declaration& val, const std::string& text) {
     Abbreviation& abbreviation = std::get<Abbreviation>(val.form);
     const auto& written = abbreviation.type;
@@ -58,7 +58,7 @@ bool set_text(Program& program, Declaration& val, const std::string& text) {
     return true;
 }
 
-/// Returns whether the value fits.
+/// Sets the VAL to the value. Returns false if the value does not fit in the type of the VAL.
 bool set_val(Program& program, Declaration& val, const Value& chosen) {
     if (const auto* const text = std::get_if<std::string>(&chosen))
         return set_text(program, val, *text);

@@ -17,8 +17,8 @@ namespace {
 
 /// Describes the links over which a channel arrives at a node and leaves the node.
 struct LinksOfChannel {
-    std::optional<std::size_t> arrives_over, leaves_over; ///< connections
-    int in = 0, out = 0;                                  ///< numbers of these links at the node
+    std::optional<std::size_t> arrives_over, leaves_over; ///< indices in Network::connections
+    int in = 0, out = 0;                                  ///< numbers of the node's links on these connections
 };
 
 class WaySearch {

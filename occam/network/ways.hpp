@@ -22,18 +22,19 @@ struct ProgramOfProcess {
 /// Returns the program of a process.
 using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
 
-/// Holds the channels of processes that are code on the wires of one node.
+/// Holds the channels of processes in occam that use the wires of one node.
 struct NodeRoutes {
-    /// Describes a channel that passes from one wire to another. Neither wire carries another channel in this
-    /// direction.
+    /// Describes a channel that passes through the node from one wire to another. Neither wire carries another channel
+    /// in the direction of this channel.
     struct Relay {
         CarriedChannel channel;
         int out; ///< number of the link by which the channel leaves
     };
-    std::map<std::size_t, SharedWire> shared; ///< shared wires of the node; key: connection
+    std::map<std::size_t, SharedWire> shared; ///< shared wires of the node; key: index in Network::connections
     std::vector<Relay> relays;
     std::vector<CarriedChannel> passing;  ///< channels that neither begin nor end on the node
-    std::map<std::size_t, int> addresses; ///< key: channel that is placed at a link; value: memory word of the link
+    std::map<std::size_t, int> addresses; ///< for each channel that is placed at a link, the memory word of the link;
+                                          ///< key: index in Network::channels
 };
 
 /// Returns the channels over the wires of a node. Throws UserError if a wire cannot carry its channels.
