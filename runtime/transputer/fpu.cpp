@@ -1,7 +1,7 @@
 #include "runtime/transputer/fpu.hpp"
 
-#include <array>
-#include <cfenv>
+#include "runtime/transputer/host_rounding.hpp"
+
 #include <cmath>
 #include <optional>
 
@@ -25,13 +25,6 @@ enum class MadeNan : std::uint32_t {
     quotient_without_remainder = 0x7F801000 ///< in FB
 };
 
-/// A result before it is in a register.
-template <typename T>
-struct RealResult {
-    RealPattern<T> pattern;
-    bool error = false;
-};
-
 /// Converts a REAL32 NaN or infinity to another length, with the same sign and the same first bits of the fraction.
 template <typename T>
 RealPattern<T> widened(std::uint32_t bits) {
@@ -44,32 +37,6 @@ RealPattern<T> widened(std::uint32_t bits) {
 template <typename T>
 RealResult<T> made(MadeNan nan) {
     return {widened<T>(std::uint32_t(nan)), true};
-}
-
-/// Sets the host's rounding mode for the life of this object, and notices overflow.
-class HostRounding {
-public:
-    explicit HostRounding(Rounding mode) {
-        static constexpr std::array modes{FE_TONEAREST, FE_TOWARDZERO, FE_UPWARD, FE_DOWNWARD};
-        std::feclearexcept(FE_OVERFLOW);
-        std::fesetround(modes[std::size_t(mode)]);
-    }
-    ~HostRounding() { std::fesetround(FE_TONEAREST); }
-    HostRounding(const HostRounding&) = delete;
-    HostRounding& operator=(const HostRounding&) = delete;
-
-    bool overflow() const { return std::fetestexcept(FE_OVERFLOW) != 0; }
-};
-
-/// Returns an operation's result on the host in a rounding mode; error means overflow. Compilers do not know that the
-/// mode matters: volatile operands and results keep the operation between the two changes of the mode.
-template <typename T, typename Operand, typename Operation>
-[[gnu::noinline]] RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
-    volatile Operand first = left, second = right;
-    const HostRounding host(mode);
-    volatile T result = operation(Operand(first), Operand(second));
-    const T value = result;
-    return {RealPattern<T>::of(value), host.overflow()};
 }
 
 /// Returns the NaN that results from two operands, at least one of which is a NaN.
@@ -116,7 +83,7 @@ RealResult<float> shortened(double value, Rounding mode) {
         const auto result = RealPattern<float>::of(float(value));
         return {result, result.infinite()};
     }
-    return rounded<float>(mode, value, value, [](double each, double) { return float(each); });
+    return rounded<float>(mode, value, value, [](auto each, auto) { return each; });
 }
 
 template <typename T>
@@ -129,7 +96,7 @@ RealResult<T> root(RealPattern<T> of, Rounding mode) {
         return {of, true};
     if (mode == Rounding::nearest)
         return {RealPattern<T>::of(std::sqrt(of.value()))};
-    return rounded<T>(mode, of.value(), of.value(), [](T each, T) { return std::sqrt(each); });
+    return rounded<T>(mode, of.value(), of.value(), [](auto each, auto) { return std::sqrt(each); });
 }
 
 /// Returns the remainder of left by right, which is exact.
@@ -193,9 +160,7 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
         return {signed_nan(operation, left, right), true};
     if (auto nan = invalid(operation, left, right))
         return made<T>(*nan);
-    const auto computed = rounded<T>(mode, left.value(), right.value(), [operation](T first, T second) {
-        return computed_on_host(operation, first, second);
-    });
+    const auto computed = rounded<T>(mode, left.value(), right.value(), Arithmetic{operation});
     const bool error = !left.finite() || !right.finite() || (operation == RealOperation::divide && right.zero());
     return {computed.pattern, computed.error || error};
 }
@@ -212,8 +177,7 @@ double value_with_whole_fraction(const Real& real) {
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) {
-        return rounded<double>(each, first, second,
-                               [operation](double x, double y) { return computed_on_host(operation, x, y); });
+        return rounded<double>(each, first, second, Arithmetic{operation});
     };
     const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
     const bool is_exact = up.pattern.word() == down.pattern.word();
