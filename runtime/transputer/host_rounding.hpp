@@ -7,6 +7,7 @@
 #include <cfenv>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace placedpar::transputer {
 
@@ -101,7 +102,8 @@ RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation oper
         result = std::nextafter(nearest, HUGE_VALF);
     else if (exact == 0 && mode == Rounding::minus && is_negative_zero(operation, left, right))
         result = -T{0};
-    return {RealPattern<T>::of(result), std::isfinite(exact) && (std::isinf(nearest) || std::isinf(result))};
+    const long double limit = std::ldexp(1.0L, std::numeric_limits<T>::max_exponent);
+    return {RealPattern<T>::of(result), std::isfinite(exact) && (std::isinf(result) || std::abs(exact) >= limit)};
 }
 
 #endif
