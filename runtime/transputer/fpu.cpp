@@ -275,9 +275,7 @@ double value_with_whole_fraction(const Real& real) {
 /// Returns left op right, rounded once to a REAL32. The last bit of the REAL64 stands for all bits that it lacks.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
-    const auto compute = [&](Rounding each) {
-        return rounded<double>(each, first, second, Arithmetic{operation});
-    };
+    const auto compute = [&](Rounding each) { return rounded<double>(each, first, second, Arithmetic{operation}); };
     const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
     const bool is_exact = up.pattern.word() == down.pattern.word();
     const RealPattern<double> odd(cut.pattern.word() | std::uint64_t(!is_exact));

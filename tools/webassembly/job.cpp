@@ -66,8 +66,9 @@ ReadOptions options_of_reading() {
 
 json::array faults_of(const std::string& main, const Catalogue& kinds) {
     const NamesOf names = is_occam(main) || occam::is_configuration(main) ? NamesOf::occam : NamesOf::netlist;
-    const std::vector<Diagnostic> faults = is_occam(main) ? check_occam_source(load_input(main).file, {}).diagnostics
-                                                          : read_netlist(main, kinds, {}, options_of_reading()).diagnostics;
+    const std::vector<Diagnostic> faults = is_occam(main)
+                                               ? check_occam_source(load_input(main).file, {}).diagnostics
+                                               : read_netlist(main, kinds, {}, options_of_reading()).diagnostics;
     json::array result;
     for (const Diagnostic& each : faults)
         result.push_back(diagnostic_json(each, names));
@@ -140,8 +141,8 @@ json::object answer_to(const Job& job) {
 
 } // namespace placedpar
 
-/// Reads a job from standard input, and writes the answer to standard output, as `placedpar serve --job` does. Knows the
-/// jobs "check", "run" and "listing" (serve/job.hpp). Answers have no page of the run.
+/// Reads a job from standard input, and writes the answer to standard output, as `placedpar serve --job` does. Knows
+/// the jobs "check", "run" and "listing" (serve/job.hpp). Answers have no page of the run.
 int main() {
     const std::string text(std::istreambuf_iterator<char>(std::cin), {});
     const boost::json::value job = boost::json::parse(text);

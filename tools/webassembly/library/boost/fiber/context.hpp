@@ -1,6 +1,7 @@
 #pragma once
 
-// The part of Boost.Fiber that runtime/ uses, on the fibers of Emscripten. Boost has no switch of stacks for WebAssembly.
+// The part of Boost.Fiber that runtime/ uses, on the fibers of Emscripten. Boost has no switch of stacks for
+// WebAssembly.
 
 #include <emscripten/fiber.h>
 
