@@ -41,7 +41,8 @@ std::vector<Command>& commands_of_program() {
     return all;
 }
 
-/// Returns the version text. It also names the program, because a program with its own kinds may have its own version.
+/// Returns the version text. The text also names the program, because a program with its own kinds may have its own
+/// version.
 std::string version_of_program() {
     return program_name() == "placedpar" ? "placedpar " + version_text()
                                          : fmt::format("{} (PlacedPar {})", program_name(), version_text());
@@ -67,8 +68,8 @@ bool is_file(const std::string& name) {
     return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
 }
 
-/// Returns the command to suggest if the words are a usual command of other programs (help, version) or a netlist; ""
-/// for other words.
+/// Returns the command to suggest if the first word is a command of many other programs (help, version) or the name of
+/// a file; "" for other words.
 std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
@@ -85,7 +86,8 @@ std::vector<NamedMeaning> meanings_of_commands(const DeclaredCommand& program) {
     return meanings;
 }
 
-/// Throws UserError if the first word is not a command. CLI11 would report a missing command first.
+/// Throws UserError if the first word is not a command. Without this check, CLI11 would report that the command is
+/// missing.
 void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
@@ -108,7 +110,8 @@ bool takes_settings_as_arguments(const DeclaredCommand& command) {
     return std::ranges::find(command.options, "SETTING", &DeclaredOption::label) != command.options.end();
 }
 
-/// Says how the command sets a value of the netlist, for users who typed it in another way; "" if it does not set any.
+/// Says how the command sets a value of the netlist, for users who typed the value in another way; "" if the command
+/// sets no values.
 std::string how_to_set(const DeclaredCommand& command, const std::string& setting) {
     if (takes_settings_as_arguments(command))
         return fmt::format("values of the netlist are set without an option: {}", setting);
@@ -204,7 +207,7 @@ std::string why_it_is_terminated() {
     try {
         return std::current_exception() ? what_was_thrown() : "std::terminate was called";
     } catch (...) {
-        return "the process communicated, computed or waited while it was being ended";
+        return "the process communicated, computed or waited while it was being terminated";
     }
 }
 

@@ -9,7 +9,7 @@ enum class ExitCode {
     success = 0,
     bad_input = 1,        ///< wrong use, or refused input
     deadlock = 2,         ///< at the end, some processes waited and nothing could wake them
-    missed_tolerance = 3, ///< a cell of a comparison missed its tolerance; or, with --strict, an answer is flagged
+    missed_tolerance = 3, ///< a compared value is outside its tolerance; or, with --strict, an answer is flagged
     defect = 70,          ///< a defect of PlacedPar; EX_SOFTWARE of sysexits.h
     interrupted = 130     ///< a signal interrupted the run; the results so far are printed; shells use the same number
 };

@@ -63,7 +63,7 @@ std::vector<std::string> curve_rows(const std::vector<LoggedGeneration>& drawn, 
     return lines;
 }
 
-/// Draws a row of bars; the highest bar means a diversity of 1/2, as of random strings, or more.
+/// Draws a row of bars; the highest bar means a diversity of at least 1/2, which random strings have.
 std::string diversity_row(const std::vector<LoggedGeneration>& drawn) {
     constexpr std::array<const char*, 9> bars{" ", "▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
     std::string row;

@@ -22,11 +22,11 @@ public:
     Option type(const std::string& name); ///< `name` names the option's value in help: "FILE"
     /// `wrong` returns what is wrong with a value, or "".
     Option check(const std::function<std::string(const std::string&)>& wrong);
-    Option one_of(const std::vector<std::string>& words); ///< accepts these words only, which help lists
+    Option one_of(const std::vector<std::string>& words); ///< accepts only these words; help lists them
     Option required();
     Option show_default();                    ///< help shows the option's present value
     Option group(const std::string& heading); ///< heading of the option's group in help
-    Option needs(Option other);               ///< the option is refused unless the other is typed, too
+    Option needs(Option other);               ///< the option is refused unless `other` is typed, too
 
 private:
     CLI::Option* option_;
@@ -34,7 +34,7 @@ private:
 
 struct DeclaredOption {
     std::vector<std::string> names; ///< as typed: "--seed", "-I"; empty for an argument
-    std::string label;              ///< all names, or the argument's name in help
+    std::string label;              ///< text in help: all names of an option, or the name of an argument
     std::string type;
     std::string value; ///< value if the option is not typed; "": not shown in help
     std::string about;
@@ -71,7 +71,7 @@ public:
     Option add_list(const std::string& name, std::vector<std::string>& values, const std::string& type,
                     const std::string& about);
     Option add_flag(const std::string& name, bool& value, const std::string& about);
-    void add_footer(const std::string& text); ///< shown in help below the options
+    void add_footer(const std::string& text); ///< help shows the text below the options
 
     /// Returns whether the option was typed. REQUIRES: the command line has been parsed.
     bool is_given(const std::string& name) const;

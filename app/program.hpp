@@ -17,7 +17,8 @@
 
 namespace placedpar {
 
-/// A function that adds a policy to the policies of its step, such as Reproduction::add<Truncation> (OneOf<...>).
+/// A function that adds a policy to the policies for one step of a search, such as Reproduction::add<Truncation>
+/// (OneOf<...>).
 using AddPolicy = void (*)();
 
 /// The main() of a program with the commands of placedpar, except the commands for the thesis's experiments and for the

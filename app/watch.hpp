@@ -35,7 +35,7 @@ private:
     bool terminal_;
     Clock::time_point drawn_{};
     std::size_t lines_ = 0;          ///< number of lines drawn last
-    std::size_t next_milestone_ = 1; ///< next generation that gets a line
+    std::size_t next_milestone_ = 1; ///< next generation for which a line is printed
     std::string said_;               ///< the last line that was printed for a milestone
 };
 

@@ -3,7 +3,7 @@
 // clients use TCP as control systems do. Every pressure moves all the time, so the service makes generations for every
 // sample. In practice transients are a small part of a machine's day.
 //
-//     monitor_load [SAMPLES [CLIENTS]]      samples per client in each part; clients in the last three parts
+//     monitor_load [SAMPLES [CLIENTS]]      samples of each client in each part; clients in the last three parts
 
 #include "monitor/service/service.hpp"
 #include "runtime/fingerprint.hpp"
@@ -223,17 +223,20 @@ void run(const Part& part, std::size_t samples, const std::string& state) {
 } // namespace
 
 int main(int argc, char** argv) try {
-    CLI::App command{"The on-line diagnosis under load: what it costs the service, and how long clients wait"};
+    CLI::App command{
+        "Measures the on-line diagnosis under load: its cost to the service, and the waiting time of clients"};
     std::size_t samples = 250, clients = 200;
-    command.add_option("SAMPLES", samples, "of each client")->check(CLI::Range(1, 1000000))->capture_default_str();
-    command.add_option("CLIENTS", clients, "of the last three parts")
+    command.add_option("SAMPLES", samples, "number of samples of each client")
+        ->check(CLI::Range(1, 1000000))
+        ->capture_default_str();
+    command.add_option("CLIENTS", clients, "number of clients in the last three parts")
         ->check(CLI::Range(1, 10000))
         ->capture_default_str();
     std::string state;
-    command.add_option("--state", state, "keep what is known in this folder, which must be empty")
+    command.add_option("--state", state, "store the state of the diagnosis in this folder, which must be empty")
         ->check(CLI::ExistingDirectory);
     int period_ms = 20;
-    command.add_option("--period", period_ms, "between the samples of a client that is paced, in ms")
+    command.add_option("--period", period_ms, "time between the samples of a paced client, in ms")
         ->check(CLI::Range(1, 60000))
         ->capture_default_str();
     CLI11_PARSE(command, argc, argv);
@@ -245,7 +248,9 @@ int main(int argc, char** argv) try {
         {"booms-at-50-per-s", "a", R"(["BO"])", {"BO"}, clients, true},
         {"booms-flat-out", "a", R"(["BO"])", {"BO"}, clients, false},
     };
-    fmt::print("{} samples each, 5 generations of 120 a sample; latencies from a sample to its answer\n", samples);
+    fmt::print("{} samples of each client, 5 generations of 120 individuals for each sample; a latency is the time "
+               "from a sample to its answer\n",
+               samples);
     fmt::print("{:<22} {:>7} {:>10} {:>9} {:>9} {:>11} {:>9} {:>9} {:>9} {:>10}   {}\n", "", "clients", "samples/s",
                "work [%]", "cpu [%]", "us a sample", "p50 [ms]", "p99 [ms]", "max [ms]", "turn [ms]", "fingerprint");
     for (const Part& part : parts)

@@ -1,6 +1,6 @@
-// Two processes on two ranks of mpirun exchange a number over and over. Beside them, MPI exchanges as many bytes, by
-// its usual sending and by its synchronous sending. The program prints nanoseconds of the wall clock for a message
-// there and back, each the least of several repetitions.
+// Two processes on two ranks of mpirun exchange a number over and over. For comparison, MPI exchanges the same number
+// of bytes by its standard send, and by its synchronous send. The program prints nanoseconds of the wall clock for a
+// message there and back. Each figure is the least of several repetitions.
 
 #include "native/rank_channel.hpp"
 #include "native/rank_member.hpp"

@@ -1,5 +1,5 @@
 // This program measures how fast programs in occam are compiled and executed. The first programs run on one emulated
-// T800-20. A row says how many simulated seconds pass in a second of the host's processor. The ring has a process for
+// T800-20. A row shows how many simulated seconds pass in a second of the host's processor. The ring has a process for
 // each channel, and a token goes around once. The last row is a long program that is only checked and compiled.
 
 #include "bench/measure.hpp"

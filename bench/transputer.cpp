@@ -1,8 +1,8 @@
 // This program measures how fast emulated transputers execute code. The first programs run on one processor without
 // links: a sieve, a program like Dhrystone, a loop of reals, COMMSTIME by `in` and `out`, and a program that overwrites
 // its own code. The last rows are processors that compute and exchange 100 bytes with their neighbours each
-// millisecond. A row says how many simulated seconds of a T800-20 pass in a second of the host's processor, summed over
-// the processors.
+// millisecond. A row shows how many simulated seconds of a T800-20 pass in a second of the host's processor, summed
+// over the processors.
 
 #include "bench/measure.hpp"
 #include "runtime/simulation.hpp"

@@ -112,8 +112,9 @@ ProcessKind balancer() {
             .ports = {packets_in("in", "tasks"), packets_out("out", "results"),
                       packets_out("to_worker", "an array: tasks, then an end message"),
                       packets_in("from_worker", "an array: results")},
-            .parameters = {packet_count("tasks"), text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
-                                                       "each task goes to an idle worker, or to all workers in turn")},
+            .parameters = {packet_count("tasks"),
+                           text("deal", {.by_default = "idle", .choices = {"idle", "turn"}},
+                                "idle: each task goes to an idle worker; turn: the workers get tasks in turn")},
             .body = balance};
 }
 

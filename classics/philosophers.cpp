@@ -114,7 +114,7 @@ ProcessKind philosopher_kind() {
         return output<Signal>(std::move(name), "signal", std::move(about));
     };
     return {.name = "csp.philosopher",
-            .about = "Thinks, picks up the fork on the left, then the one on the right, eats, puts them down.",
+            .about = "Thinks, picks up the left fork and then the right fork, eats, and puts both forks down.",
             .ports = {signals("left", "picks up and puts down the fork on the left"),
                       signals("right", "picks up and puts down the fork on the right"),
                       optional(signals("butler", "sits down and gets up"))},
@@ -141,15 +141,17 @@ ProcessKind fork_kind() {
 
 ProcessKind butler_kind() {
     using namespace description;
-    return {.name = "csp.butler",
-            .about = "Limits the number of philosophers at the table: with one fewer than all, some philosopher "
-                     "can always eat.",
-            .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
-            .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6},
-                                   "greatest number of philosophers at the table"),
-                           meals("meals of each philosopher")},
-            .body = wait_on_table,
-            .promela = butler_in_promela};
+    return {
+        .name = "csp.butler",
+        .about =
+            "Limits the number of philosophers at the table. With one seat fewer than philosophers, some philosopher "
+            "can always eat.",
+        .ports = {input<Signal>("philosopher", "signal", "an array: the philosophers")},
+        .parameters = {integer("seats", {.by_default = 4, .least = 1, .most = 1e6},
+                               "greatest number of philosophers at the table"),
+                       meals("meals of each philosopher")},
+        .body = wait_on_table,
+        .promela = butler_in_promela};
 }
 
 } // namespace

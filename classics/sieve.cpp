@@ -1,6 +1,6 @@
 // The sieve of Eratosthenes as a pipeline (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 6.1; an
-// idea of McIlroy's). The first number that a csp.sieve gets is a prime. The process keeps it, and passes on the
-// numbers that are not its multiples.
+// idea of McIlroy's). The first number that a csp.sieve gets is a prime. The process keeps the prime, and passes on the
+// numbers that are not multiples of the prime.
 
 #include "classics/kinds.hpp"
 
@@ -59,17 +59,19 @@ void sieve(ProcessEnvironment& environment) {
 
 ProcessKind numbers() {
     using namespace description;
-    return {.name = "csp.numbers",
-            .about = "Outputs 2, 3, 4 and so on, then an end message.",
-            .ports = {packets_out("out", "numbers")},
-            .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "number")},
-            .body = count_up};
+    return {
+        .name = "csp.numbers",
+        .about = "Outputs 2, 3, 4 and so on, then an end message.",
+        .ports = {packets_out("out", "numbers")},
+        .parameters = {integer("last", {.by_default = 100, .least = 2, .most = 1e9}, "the last number that is output")},
+        .body = count_up};
 }
 
 ProcessKind sieve_process() {
     using namespace description;
     return {.name = "csp.sieve",
-            .about = "Keeps the first number, a prime, and passes on the numbers that it does not divide.",
+            .about =
+                "Keeps the first number, which is a prime, and passes on the numbers that this prime does not divide.",
             .ports = {packets_in("in", "numbers"), optional(packets_out("out", "numbers"))},
             .parameters = {integer("cycles", {.unit = "cycles", .by_default = 40, .least = 0, .most = 1e9},
                                    "workload: a division by the prime")},

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uint32_t longest_message = 1'000'000'000;
 
-/// Reads the parameter `bytes`, such as "100 4". Throws UserError.
+/// Reads the parameter `bytes`, such as "100 4". Throws UserError if a length is not valid.
 std::vector<std::uint32_t> lengths_in(const std::string& text) {
     std::vector<std::uint32_t> lengths;
     std::istringstream words(text);

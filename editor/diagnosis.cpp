@@ -42,7 +42,7 @@ std::vector<Diagnostic> check_part(Document& document) {
     return reporter.take();
 }
 
-/// Returns whether a line of a text begins with `netlist =`. Other texts in TOML are not studies.
+/// Returns whether a line of a text begins with `netlist =`. A text in TOML without such a line is not a study.
 bool names_netlist(const std::string& text) {
     constexpr std::string_view setting = "netlist";
     for (auto at = text.find(setting); at != text.npos; at = text.find(setting, at + 1)) {

@@ -11,13 +11,13 @@
 
 namespace placedpar::editor {
 
-/// Reads and checks an open text. Keeps results in the document for later requests. A text in TOML that names no
-/// netlist is not a study; it is accepted without a check.
+/// Reads and checks an open text. Keeps results in the document for later requests. A text in TOML without a line
+/// `netlist = ...` is not a study, and is not checked.
 std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
-/// Returns the syntax of a netlist; reads it only if the text has changed.
+/// Returns the syntax of a netlist. Reads the text only if the text has changed.
 const NetlistSyntax& syntax_of(Document&);
-/// Returns the checked program in occam; checks it only if the text has changed.
+/// Returns the checked program in occam. Checks the text only if the text has changed.
 const OccamCheck& program_of(Document&);
 
 /// Writes ranges in the format of the protocol. Computes the line lengths of each text only once. REQUIRES: the files
@@ -34,7 +34,7 @@ private:
 };
 
 /// Returns the diagnostics in the format of the protocol, by the URI of their file. A diagnostic without a file, such
-/// as that of a study's setting, is reported at the beginning of the document.
+/// as a diagnostic about a study's setting, is reported at the beginning of the document.
 std::map<std::string, boost::json::array> diagnostics_json(const std::vector<Diagnostic>&, const Document&,
                                                            const Documents&);
 

@@ -19,8 +19,8 @@ namespace {
 
 namespace json = boost::json;
 
-/// Sets the language of a text, according to the name of its file, the editor's name for the language, or the text
-/// itself.
+/// Sets the language of a text. The extension of the file name decides; if it does not, the editor's name for the
+/// language; otherwise the text itself.
 void choose_language(Document& document, const std::string& language_id) {
     const std::string extension = lower_case(document.path.extension().string());
     document.is_part = extension != ".cfs" && extension != ".occ" && extension != ".pgm" && extension != ".toml";
@@ -46,9 +46,10 @@ std::size_t offset_in(const Positions& positions, Position position) {
     try {
         return positions.offset(position);
     } catch (const std::out_of_range&) {
-        throw RequestError(ErrorCode::invalid_params,
-                           fmt::format("line {} does not exist: the text has {} lines, counted from 0", position.line,
-                                       positions.lines()));
+        throw RequestError(
+            ErrorCode::invalid_params,
+            fmt::format("line {} does not exist: the number of lines is {}, and the first line is line 0",
+                        position.line, positions.lines()));
     }
 }
 
@@ -116,7 +117,7 @@ void Documents::close(const std::string& uri) {
 Document& Documents::at(const std::string& uri) {
     const auto found = documents_.find(uri);
     if (found == documents_.end())
-        throw RequestError(ErrorCode::invalid_params, fmt::format("the text {} is not open", uri));
+        throw RequestError(ErrorCode::invalid_params, fmt::format("no text with the URI {} is open", uri));
     return found->second;
 }
 

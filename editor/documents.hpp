@@ -21,20 +21,21 @@ namespace placedpar::editor {
 
 enum class Language : std::uint8_t { netlist, configuration, occam, study };
 
-/// The kept results of checking a program in occam.
+/// Holds the results of checking a program in occam.
 struct OccamResults {
     std::shared_ptr<const OccamCheck> present = {};   ///< check of the present text; null: not checked yet
     std::shared_ptr<const OccamCheck> last_good = {}; ///< check of the last version without errors; null: there is none
     std::optional<std::map<std::size_t, LineCycles>> cycles = {}; ///< cycles of each line of the present text
 };
 
-/// A text that an editor has open. Results of reading the text are kept until it changes.
+/// Holds a text that an editor has open, and the results of reading the text. The results are kept until the text
+/// changes.
 struct Document {
     std::string uri;
     std::filesystem::path path;
     Language language = Language::netlist;
     NamesOf names = NamesOf::netlist; ///< language of the names in its diagnostics
-    bool is_part = false;             ///< other files include it; by itself, only its syntax is checked
+    bool is_part = false;             ///< other files include this text, so only its syntax is checked
     std::optional<std::uint64_t> version = {};
     std::shared_ptr<const SourceFile> file;
 
@@ -45,18 +46,18 @@ struct Document {
 
     /// Returns the place of a position. Throws RequestError if the position is after the end of the text.
     Location location(Position) const;
-    /// Discards the kept results. Called when the text or an included file has changed.
+    /// Discards the results. Call it when the text or an included file has changed.
     void forget();
 };
 
-/// The texts that an editor has open.
+/// Holds the texts that an editor has open.
 class Documents {
 public:
-    /// Opens a text. The extension of its name determines the language; otherwise `language_id`, otherwise the text
-    /// itself.
+    /// Opens a text. The extension of the file name determines the language; if it does not, `language_id` does;
+    /// otherwise the text itself.
     Document& open(const std::string& uri, const std::string& language_id, std::string text);
-    /// Applies the member "contentChanges" of a notification. Throws RequestError if a place is not in the text; the
-    /// text is then as before.
+    /// Applies the member "contentChanges" of a notification. Throws RequestError, and leaves the text unchanged, if a
+    /// place is not in the text.
     void change(Document&, const boost::json::array& changes);
     void close(const std::string& uri);
 

@@ -222,7 +222,7 @@ struct LanguageServer::State {
         document.version = version_opened;
         mark_changed(document);
         for (auto& [uri, other] : documents.all())
-            if (other.failed) // perhaps because this file was missing
+            if (other.failed) // the reason may be that this file was missing
                 check_again(other);
         return nullptr;
     }
@@ -262,7 +262,7 @@ struct LanguageServer::State {
         document.forget();
     }
 
-    /// Marks a text, and the texts that include it, to be checked.
+    /// Marks a text, and the texts that include it, as changed, so that they are checked.
     void mark_changed(const Document& document) {
         to_check.insert(document.uri);
         for (auto& [uri, other] : documents.all())
@@ -296,8 +296,9 @@ struct LanguageServer::State {
             throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
         for (const auto& [uri, other] : documents.all())
             if (other.included.contains(document.path))
-                throw RequestError(ErrorCode::request_failed,
-                                   fmt::format("{} includes this file, and may use the name too", other.path.string()));
+                throw RequestError(
+                    ErrorCode::request_failed,
+                    fmt::format("{} includes this file, and may also use the name", other.path.string()));
     }
 
     void send_diagnostics(const std::string& uri) {
@@ -396,7 +397,7 @@ struct LanguageServer::State {
     ProblemRegistry problems;
     Catalogue catalogue;
     Documents documents;
-    std::set<std::string> to_check; ///< URIs
+    std::set<std::string> to_check; ///< URIs of texts that have changed
     std::map<std::string, std::map<std::string, json::array>>
         published; ///< by URI of the checked text, then by URI of the file
     bool initialized = false, shut_down = false, ended = false;

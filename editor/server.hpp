@@ -7,8 +7,8 @@
 
 namespace placedpar::editor {
 
-/// A server of the Language Server Protocol for netlists, configurations, occam and studies. It does not depend on how
-/// messages are transported.
+/// Serves the Language Server Protocol for netlists, configurations, occam and studies. The class does not depend on
+/// how messages are transported.
 class LanguageServer {
 public:
     /// `send` sends a message to the editor.

@@ -29,9 +29,9 @@ public:
     /// two stored states, at least 1.
     ///
     /// Throws UserError if a search of the network depends on data that a checkpoint cannot store (it sends estimates,
-    /// or belongs to a pair), or if no process searches. Throws UserError for a file that cannot be read or is not a
-    /// checkpoint, and for one of another seed or of searches with other names, problems, codings or numbers of
-    /// individuals. Other parameters may have changed: the searches continue with the new values.
+    /// or belongs to a pair), or if no process searches. Throws UserError if the file cannot be read, is not a
+    /// checkpoint, has another seed, or has searches with other names, problems, codings or numbers of individuals.
+    /// Other parameters may have changed: the searches continue with the new values.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
     /// Makes a checkpoint file for searches of the library, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
@@ -39,14 +39,14 @@ public:
     /// Returns the generation from which the searches continue; 0 if they begin anew.
     std::uint64_t begin() const { return begin_; }
 
-    /// Returns a text that is the same for two objects only if the searches go on from the same file and keep their
+    /// Returns a text that is the same for two objects only if the searches continue from the same file and keep their
     /// states after the same generations.
     std::string digest() const;
 
     const SearchCheckpoint* begin_of(const std::string& search) const override;
     bool is_due(std::uint64_t generation) const override { return generation % every_ == 0; }
-    /// Writes the file when all searches have handed over their states of a generation. Throws UserError if it cannot
-    /// be written.
+    /// Writes the file when all searches have handed over their states of a generation. Throws UserError if the file
+    /// cannot be written.
     void keep(const std::string& search, const SearchCheckpoint&) override;
 
 private:
@@ -63,7 +63,7 @@ private:
     std::uint64_t seed_, every_;
     std::vector<KeptSearch> searches_;
     std::uint64_t begin_ = 0;
-    std::int64_t checksum_ = 0; ///< checksum of the file that was read; 0 if there was none
+    std::int64_t checksum_ = 0; ///< checksum of the file that was read; 0 if no file was read
     States begin_states_;
     std::mutex mutex_;
     std::map<std::uint64_t, States> incomplete_; ///< by generation

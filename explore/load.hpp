@@ -38,12 +38,12 @@ Network load_network(const std::filesystem::path&, const Overrides&, const Probl
 /// Completes a parsed netlist with the kinds of a catalogue. Throws RefusedInput.
 Network load_network(const ParsedNetlist&, const Overrides&, const Catalogue&, const WarningSink&);
 
-/// A record of measurement, with its file's warnings.
+/// A record of measurements, and the warnings about its file.
 struct LoadedRecord {
     hydraulics::Record record;
     std::vector<Diagnostic> warnings;
 };
-/// Reads a record of measurement. Throws RefusedInput.
+/// Reads a record of measurements. Throws RefusedInput.
 LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
 /// Returns the excavator's constants; constants in the file replace the program's constants of the same name. If the

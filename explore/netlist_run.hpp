@@ -35,19 +35,19 @@ struct RunSettings {
     SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Checkpoints* checkpoints = nullptr;        ///< null: the searches begin anew, and their states are not kept
     Interruption* interruption =
-        nullptr;                   ///< null: nothing ends the run early. An interruption serves one run at a time
+        nullptr;                   ///< null: nothing ends the run early. An interruption can end only one run at a time
     RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 
 /// Runs the network. Throws what the processes throw.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
-/// Runs the network with the kinds of a catalogue. The kinds already have an observer and checkpoints, so those in the
-/// settings are ignored.
+/// Runs the network with the process kinds of a catalogue (netlist/kinds/catalogue.hpp). The kinds already have an
+/// observer and checkpoints, so those in the settings are ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is
-/// interrupted, the report says only that. REQUIRES: the record is of this network; the network is determinate; the
-/// settings have no trace, shuffle or record.
+/// interrupted, the report says only that it was interrupted. REQUIRES: the record is of this network; the network is
+/// determinate; the settings have no trace, shuffle or record.
 std::optional<RunReport> repeat_netlist(const Network&, const Catalogue&, const RecordedRun&, const RunSettings&);
 
 } // namespace placedpar

@@ -19,9 +19,9 @@ struct OccamCheck {
     bool failed = false;        ///< there are errors, so the program cannot be compiled
 };
 
-/// Reads and checks a program. Its files may be PlacedPar's libraries or in these folders. Checks that are off in
-/// `wanted` are skipped, as if the text turned them off. The text of `standard_input` is what
-/// `#INCLUDE "standard input"` includes.
+/// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
+/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. The text of `standard_input`
+/// is what `#INCLUDE "standard input"` includes.
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
                               std::shared_ptr<const SourceFile> standard_input = nullptr);

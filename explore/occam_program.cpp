@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::array names_of_checks = {"usage", "alias", "range", "all"};
 
-/// Returns whether the option --no-checks names a check. Throws UserError if it names an unknown one.
+/// Returns whether the option --no-checks names a check. Throws UserError if the option names an unknown check.
 bool leaves_out(const OccamOptions& options, std::string_view name) {
     bool found = false;
     std::string_view rest = options.no_checks;
@@ -105,13 +105,24 @@ occam::SourceOptions wanted_checks(const OccamOptions& options) {
             .run_time_checks = !leaves_out(options, "all")};
 }
 
+bool can_be_run(const occam::Declaration& procedure) {
+    const auto& parameters = std::get<occam::Procedure>(procedure.form).parameters;
+    const auto is_channel = [](const occam::DeclarationBox& each) {
+        return each->type->kind == occam::Type::Kind::channel;
+    };
+    const std::size_t channels = static_cast<std::size_t>(std::ranges::count_if(parameters, is_channel));
+    const bool gets_memory = parameters.size() == 3 && channels == 2 && !is_channel(parameters.back()) &&
+                             parameters.back()->type->kind == occam::Type::Kind::array;
+    return parameters.size() <= 3 && (channels == parameters.size() || gets_memory);
+}
+
 bool is_occam(const std::filesystem::path& path) {
     return path.extension() == ".occ" && !occam::is_configuration(path);
 }
 
 namespace {
 
-/// Reads and checks a program, with a procedure around its main procedure if that one uses a terminal.
+/// Reads and checks a program. If its main procedure uses a terminal, adds a procedure that calls the main procedure.
 OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
                            const OccamOptions& typed, const WarningSink& warn) {
     const std::shared_ptr<const SourceFile> file = loaded(path);
@@ -120,7 +131,7 @@ OccamCheck checked_program(const std::filesystem::path& path, const std::vector<
         warn(render(program.diagnostics) + program.not_shown);
     if (program.program->is_configuration)
         throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
-                                    "run takes a configuration",
+                                    "run executes a configuration",
                                     path.string()));
     if (!program.main)
         throw UserError(fmt::format("{}: the file has no PROC that can be run", path.string()));
@@ -167,7 +178,7 @@ CompiledProgram compiled_program(const std::filesystem::path& file, std::span<co
     CompiledOccam made = compile_occam(file, folders, machine.occam, *transputer::model_named(machine.processor), warn);
     if (made.memory_bytes > *bytes_of_size(machine.memory))
         throw UserError(
-            fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: --memory "
+            fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: use --memory "
                         "{}M",
                         file.string(), made.memory_bytes, machine.memory,
                         std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));

@@ -21,8 +21,8 @@ struct OccamOptions {
     std::string no_checks = ""; ///< names of checks, separated by commas
 };
 
-/// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for a check of
-/// the text, which a netlist cannot turn off.
+/// Returns the options for the code of a netlist's processes. Throws UserError for an unknown check, and for the checks
+/// "usage" and "alias", which a netlist cannot turn off for its programs.
 CompileChoices choices_of(const OccamOptions&);
 
 /// Returns the checks that these options do not turn off. Throws UserError for an unknown check.
@@ -31,9 +31,13 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
 bool is_occam(const std::filesystem::path&);
 
+/// Returns whether `placedpar run` can run this procedure: its parameters are none, or channels to a host and perhaps
+/// the free memory, or the channels of a terminal.
+bool can_be_run(const occam::Declaration& procedure);
+
 struct CompiledOccam {
     std::vector<std::uint8_t> file; ///< a bootable file
-    std::string lines;              ///< a table of its code, for a file NAME.lines beside it
+    std::string lines;              ///< for the file NAME.lines: the source line of each address
     std::uint64_t memory_bytes = 0; ///< memory that the program needs, including the free memory that it receives
 };
 /// Compiles a program for a transputer. Throws RefusedInput; throws UserError for an unknown check.
@@ -42,7 +46,7 @@ CompiledOccam compile_occam(const std::filesystem::path&, std::span<const std::s
 
 /// The transputer on which a program without a netlist runs.
 struct ProgramMachine {
-    std::string processor = "T800", memory = "2M"; ///< REQUIRES: a model's name, and a size
+    std::string processor = "T800", memory = "2M"; ///< REQUIRES: `processor` is the name of a model, `memory` a size
     std::uint64_t memory_cycles = 3;
     OccamOptions occam = {};
 };

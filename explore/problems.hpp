@@ -18,8 +18,8 @@ class Checkpoints; // gaprocs/checkpoints.hpp
 ProblemRegistry known_problems(std::uint64_t seed,
                                const std::function<ProblemFamily(const ProblemFamily&)>& around = std::identity{});
 
-/// Returns every process kind that this program knows. Searches report to the observer and go on from the checkpoints
-/// if these are not null. All arguments must outlive every run.
+/// Returns every process kind that this program knows. Searches report to the observer if it is not null, and continue
+/// from the checkpoints if these are not null. All arguments must outlive every run.
 Catalogue known_kinds(const ProblemRegistry& problems, SearchObserver* observer = nullptr,
                       Checkpoints* checkpoints = nullptr);
 

@@ -100,7 +100,7 @@ bool is_val(const std::string& name, const Network& network) {
 }
 
 /// Returns the names of the processes that search. Throws UserError if no process searches, or if a searching process
-/// is one of a pair.
+/// belongs to a pair.
 std::vector<std::string> searching_processes(const Network& network, const NetlistAsked& netlist) {
     std::vector<std::string> names;
     for (const ProcessInstance& process : network.processes) {
@@ -127,8 +127,8 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
     return read;
 }
 
-/// Reads the netlist with the settings. If the netlist fixes a setting to another value, the val of that name is set;
-/// without such a val the netlist is refused.
+/// Reads the netlist with the settings. If the netlist gives a parameter another value, the val with the name of the
+/// setting is set; without such a val the netlist is refused.
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     ReadResult read = read_with(settings, netlist.parsed, netlist.overrides, problems);

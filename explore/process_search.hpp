@@ -20,7 +20,7 @@ namespace placedpar {
 struct NetlistAsked {
     std::filesystem::path path;
     Overrides overrides;
-    ParsedNetlist parsed;         ///< the file's text, for any number of searches
+    ParsedNetlist parsed;         ///< the parsed file, which any number of searches can use
     std::filesystem::path output; ///< the file to be written, which must not be a file of the netlist
 };
 
@@ -38,13 +38,13 @@ struct ProcessSearch {
     SearchAnswers answers() const;
 };
 
-/// Reads the netlist with the settings of the identification. A setting replaces the default of the parameter of that
-/// name in every searching process. If the netlist fixes the parameter to another value, the setting replaces the val
-/// of that name (population, elite), unless an override sets this val. A single search also gets the random numbers of
-/// identify(). Several searches divide the population as the netlist says, and each search has its own random numbers.
-/// The processes search the samples of `prepared`. Throws UserError if no process searches, if a search is one of a
-/// coarse-fine pair, or if the populations do not add up. Also throws UserError if the output is an included file, if a
-/// setting cannot replace the netlist's value, or if the record has a gap.
+/// Reads the netlist with the settings of the identification. A setting replaces the default of the parameter with the
+/// same name in every searching process. If the netlist gives the parameter another value, the setting replaces the val
+/// with the same name (population, elite), unless an override sets this val. A single search also uses the random
+/// numbers of identify(). Several searches divide the population as the netlist says, and each search has its own
+/// random numbers. The processes search the samples of `prepared`. Throws UserError if no process searches, if a search
+/// belongs to a pair of a coarse and a fine search, or if the populations do not add up. Also throws UserError if the
+/// output is an included file, if a setting cannot replace the netlist's value, or if the record has a gap.
 ProcessSearch search_by_processes(const NetlistAsked& netlist, const identification::ComplianceSearch& prepared,
                                   const identification::IdentificationWay& way, const WarningSink&);
 

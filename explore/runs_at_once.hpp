@@ -9,9 +9,9 @@
 namespace placedpar {
 
 /// Executes pieces of work, numbered from 0, `at_once` at a time, and returns when all have ended. If `interruption` is
-/// requested, the current runs are ended and no further piece begins. REQUIRES: `work` passes the Interruption that it
-/// gets to its run. `done` is called from time to time, in the caller's thread, with the number of ended pieces.
-/// Rethrows an exception of a piece after all threads have ended.
+/// requested, the current runs are ended and no further piece begins. REQUIRES: `work` passes its Interruption on to
+/// its run. `done` is called from time to time, in the caller's thread, with the number of ended pieces. Rethrows an
+/// exception of a piece after all threads have ended.
 void run_at_once(std::size_t pieces, const std::function<void(std::size_t piece, Interruption&)>& work,
                  const Interruption& interruption, const std::function<void(std::size_t done)>& done,
                  std::size_t at_once = count_cores());

@@ -15,7 +15,7 @@ SearchAnswers::SearchAnswers(std::vector<std::string> searches, std::shared_ptr<
 void SearchAnswers::observe(const ObservedGeneration& generation) {
     auto search = std::ranges::find(searches_, generation.search);
     if (search == searches_.end())
-        throw std::invalid_argument("an answer of an unknown search");
+        throw std::invalid_argument("the search of this generation is unknown");
     auto best = std::ranges::max_element(generation.fitness);
     const Genome& genome = generation.population[static_cast<std::size_t>(best - generation.fitness.begin())];
     answers_[static_cast<std::size_t>(search - searches_.begin())].push_back(

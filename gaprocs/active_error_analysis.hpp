@@ -12,14 +12,15 @@
 
 namespace placedpar {
 
-/// Returns the errors of each island's best individual, as a choice needs them. `windows`: the length of each island's
-/// window in samples. REQUIRES: bests.size() == windows.size() > 0, and no window is longer than `samples`.
+/// Returns the errors of each island's best individual, from which an IslandChoice chooses. `windows`: the length of
+/// each island's window in samples. REQUIRES: bests.size() == windows.size() > 0, and no window is longer than
+/// `samples`.
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// Chooses one of the islands' best individuals as the answer of all islands, whenever the islands broadcast. The
-/// answer stays until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting
-/// frequency"). The islands themselves are not affected.
+/// Whenever the islands broadcast, chooses one of their best individuals as the answer of all islands. The answer stays
+/// until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
+/// islands themselves are not affected.
 class ActiveErrorAnalysis {
 public:
     /// `windows`: the length of each island's window in samples. REQUIRES: `problem` outlives the analysis.
@@ -27,7 +28,8 @@ public:
                         RandomStream random);
 
     /// Chooses the answer. `bests`: the best individual of each island. `samples`: the samples so far, oldest first.
-    /// Throws as IslandChoice. REQUIRES: bests.size() is the number of islands, and no window is longer than `samples`.
+    /// Throws what IslandChoice throws. REQUIRES: bests.size() is the number of islands, and no window is longer than
+    /// `samples`.
     void analyse(std::span<const Individual> bests, std::span<const Sample> samples);
 
     /// Returns the island that the last analyse() chose. REQUIRES: analyse() was called.

@@ -17,16 +17,17 @@ struct SearchCheckpoint {
     friend bool operator==(const SearchCheckpoint&, const SearchCheckpoint&) = default;
 };
 
-/// Keeps the states of all searches of a run, so that a later run can continue from them. The later run passes over the
-/// generations of the first: its searches receive the same samples, but evaluate, exchange and breed nothing until the
-/// generation of their checkpoint. Then they continue with the same generations, bit for bit. This does not hold if
-/// islands exchange asynchronously, because emigrants that are under way are not stored.
+/// Keeps the states of all searches of a run, so that a later run can continue from them. The later run skips the
+/// generations that the first run has made: the searches of the later run receive the same samples, but evaluate,
+/// exchange and breed nothing until the generation of their checkpoint. From there, their generations equal the
+/// generations of an unbroken run, bit for bit. If islands exchange asynchronously, the generations may differ, because
+/// emigrants that are under way are not stored.
 ///
 /// The functions may be called by several threads at once.
 class Checkpoints {
 public:
-    /// Returns the checkpoint from which the search continues; null if it begins anew. The object exists until the end
-    /// of the run.
+    /// Returns the checkpoint from which the search continues; null if the search starts from the beginning. The
+    /// checkpoint exists until the end of the run.
     virtual const SearchCheckpoint* begin_of(const std::string& search) const = 0;
     /// Returns whether searches must call keep() after this generation.
     virtual bool is_due(std::uint64_t generation) const = 0;

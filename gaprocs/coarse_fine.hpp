@@ -13,20 +13,20 @@ namespace placedpar {
 /// The settings of a pair of searches, "coarse" and "fine" (thesis 6.2, Figure 6.6).
 struct CoarseFineSettings {
     SearchSettings coarse, fine;        ///< settings of the two searches, which must have the same window
-    Recoding coarse_reading;            ///< says how many of the most significant bits of each field the coarse search
-                                        ///< breeds
-    std::vector<std::size_t> fine_bits; ///< bits of each field in the fine search; a field with as many bits as the
-                                        ///< problem's ignores the bias point
+    Recoding coarse_reading;            ///< number of most significant bits of each field that the coarse search breeds
+    std::vector<std::size_t> fine_bits; ///< number of bits of each field in the fine search; a field that has all bits
+                                        ///< of the problem's field ignores the bias point
 };
 
-/// Two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own grid,
-/// but only around the bias point, the best individual of the coarse search in the same generation. So when the bias
-/// point moves, the parameters of all individuals of the fine search move, too. The thesis does not say from which
-/// generation the bias point comes; the choice is ours.
+/// Runs two searches over the same record. The coarse search has a coarse grid. The fine search has the problem's own
+/// grid, but only around the bias point, the best individual of the coarse search in the same generation. So when the
+/// bias point moves, the parameters of all individuals of the fine search move, too. The thesis does not say from which
+/// generation the bias point comes; taking it from the same generation is our choice.
 class CoarseFine {
 public:
-    /// REQUIRES: `problem` is in natural binary and outlives the pair. Throws as SearchSettings::validate() and
-    /// Recoding::validate(). Throws std::invalid_argument if the two searches have different windows.
+    /// REQUIRES: the strings of `problem` are in natural binary, and `problem` outlives the pair. Throws what
+    /// SearchSettings::validate() and Recoding::validate() throw. Throws std::invalid_argument if the two searches have
+    /// different windows.
     CoarseFine(const SearchProblem& problem, const CoarseFineSettings& settings, std::uint64_t seed);
 
     void push(Sample sample) { window_.push(std::move(sample)); }
@@ -36,13 +36,14 @@ public:
 
     const Search& coarse() const { return coarse_; }
     const Search& fine() const { return fine_; }
-    /// Return the best individual of the last generation, as a string of the problem. REQUIRES: next_generation() was
-    /// called.
+    /// Return the best individual of the last generation, as a string that the problem reads. REQUIRES:
+    /// next_generation() was called.
     const Individual& coarse_best() const { return coarse_best_; }
     const Individual& fine_best() const { return fine_best_; }
 
 private:
-    /// Evaluates and breeds one generation of a search. Returns the best individual, as a string of the problem.
+    /// Evaluates and breeds one generation of a search. Returns the best individual, as a string that the problem
+    /// reads.
     Individual evaluate_and_breed(Search& search, const Recoding& reading);
 
     const SearchProblem& problem_;

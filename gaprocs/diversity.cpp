@@ -104,7 +104,7 @@ double diversity_of(double squared_distance, const Spread& like) {
     return like.kind == StringKind::real ? std::sqrt(share) : share;
 }
 
-/// Goes through the coordinates of the centres of several populations, in step.
+/// Iterates over the centres of several populations at once, one coordinate after another.
 class CentresInStep {
 public:
     explicit CentresInStep(std::span<const Spread> populations)
@@ -149,9 +149,10 @@ double diversity_within(const Spread& population) {
     return diversity_of(2 * population.squares / static_cast<double>(population.individuals - 1), population);
 }
 
-/// Computes the mean squared distance of two individuals from different populations, a sum of three terms. Two of them
-/// are the mean squared distances of each population's individuals from its centre. The third is the squared distance
-/// of the two centres; its mean over all pairs of centres follows from the centres' distances from their own mean.
+/// Computes the mean squared distance of two individuals from different populations, a sum of three terms. Two terms,
+/// one for each population, are the mean squared distances of the individuals from the population's centre. The third
+/// term is the squared distance of the two centres; its mean over all pairs of centres follows from the centres'
+/// distances from their own mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

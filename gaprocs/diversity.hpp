@@ -51,9 +51,10 @@ double diversity_within(const Spread& population);
 double diversity_between(std::span<const Spread> populations);
 
 /// Returns 1 - `within` / `between`, the fraction of the diversity that is due to differences between populations; 0 if
-/// `between` is 0. `within` is the mean of diversity_within(), `between` is diversity_between(). For binary strings
-/// this is the F_ST of Hudson, Slatkin and Maddison (1992). It is near 0, perhaps slightly negative, if the populations
-/// are samples of one population. It is 1 if the individuals of each population are equal and the populations differ.
+/// `between` is 0. `within` is the mean of diversity_within(), `between` is diversity_between(). For binary strings,
+/// the result is the F_ST of Hudson, Slatkin and Maddison (1992). The result is near 0, perhaps slightly negative, if
+/// the populations are samples of one population. It is 1 if the individuals of each population are equal and the
+/// populations differ.
 double fixation(double within, double between);
 
 } // namespace placedpar

@@ -109,8 +109,9 @@ FrontResult search_front(const SearchProblem& problem, std::size_t generations, 
     if (generations == 0)
         throw UserError("the number of generations is 0, expected at least 1");
     if (settings.elite == 0 || settings.elite != settings.population / 2)
-        throw UserError(fmt::format("the elite is {} of a population of {}, expected {}: the better half survives",
-                                    settings.elite, settings.population, settings.population / 2));
+        throw UserError(fmt::format(
+            "the elite has {} of {} individuals, expected {}: in a search for a front, the better half survives",
+            settings.elite, settings.population, settings.population / 2));
     Search search(problem.representation(), settings, std::move(random));
     SearchProgress progress(search, "front", checkpoints);
     FrontEvaluation evaluation(problem);

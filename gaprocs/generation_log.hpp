@@ -16,15 +16,16 @@ namespace placedpar {
 
 class Checkpoints; // gaprocs/checkpoints.hpp
 
-/// A generation of one search, or of all searches together. An objective is logged as it is, not as fitness: if it is
-/// minimised, the best value is the least. An objective that is not a finite number is logged as the worst infinity.
+/// A generation of one search, or of all searches together. For a problem with an objective, the values of the
+/// objective are logged, not the fitness: if the objective is minimised, the best value is the least. An objective that
+/// is not a finite number is logged as the worst infinity.
 struct LoggedGeneration {
     std::optional<Time> time; ///< time of the generation; for all searches together, their latest time
-    double best_so_far; ///< best value of `best` up to this generation; if the window moves, they are fitness values of
-                        ///< different windows
-    double best, mean;  ///< fitness or objective; `mean` omits values that are not finite
-    double diversity;   ///< diversity_within(); for all searches together, the mean over the searches
-    double between = 0; ///< diversity_between(); only for all searches together
+    double best_so_far;       ///< best value of `best` up to this generation; if the window moves, the compared fitness
+                              ///< values come from different windows
+    double best, mean;        ///< fitness or objective; `mean` omits values that are not finite
+    double diversity;         ///< diversity_within(); for all searches together, the mean over the searches
+    double between = 0;       ///< diversity_between(); only for all searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
 };
@@ -66,11 +67,11 @@ public:
     /// problem. If not, the log has no generations of all searches together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Lets the best values begin with those of the generations before the checkpoints, from which a run continues.
+    /// Makes LoggedGeneration::best_so_far include the generations before the checkpoints from which the run continues.
     /// REQUIRES: no generation was observed.
     void continue_from(const Checkpoints&);
 
-    /// These functions throw std::invalid_argument for a search that is not in the log.
+    /// The three functions observe() throw std::invalid_argument for a search that is not in the log.
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration&) override;
     void observe(const ObservedAnswer&) override;
@@ -80,9 +81,10 @@ public:
     bool compares() const { return compared_; }
     /// Returns the number of the first logged generation: 1 unless the searches continue from a checkpoint.
     std::uint64_t first() const { return first_; }
-    /// Returns the generations of a search, beginning with the generation of number first().
+    /// Returns the generations of a search, beginning with generation number first().
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
-    /// Returns the generations that all searches have completed, taken together; empty unless compares().
+    /// Returns an entry for each generation that all searches have completed, with their values taken together. Empty
+    /// unless compares().
     std::span<const LoggedGeneration> of_all() const { return all_; }
     /// Returns the migrations. Migrations to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
@@ -95,8 +97,8 @@ public:
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
     /// Returns the rows, sorted by generation and then by search; "all" and the analysts come last in a generation. The
-    /// order in which searches called observe() has no influence. REQUIRES: the log outlives the rows, which refer to
-    /// its texts.
+    /// rows do not depend on the order in which the searches called observe(). REQUIRES: the log outlives the rows,
+    /// which refer to strings of the log.
     std::vector<LogRow> rows() const;
 
 private:

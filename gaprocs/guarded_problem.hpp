@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// Returns the same family, protected against errors in user-defined problems. Any exception from a problem's
-/// functions, or while the problem or its record of measurements is made, becomes a UserError with the problem's name.
+/// Returns the family, protected against exceptions of user-defined problems. If the problem's constructor, one of its
+/// functions or the making of its record throws anything, the returned family throws a UserError with the problem's
+/// name instead.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

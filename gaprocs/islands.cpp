@@ -36,7 +36,7 @@ void require_places(const IslandsSettings& settings, const Neighbours& neighbour
     }
 }
 
-/// Throws as IslandsSettings::validate_for(), without a check against the length of the record.
+/// Throws what IslandsSettings::validate_for() throws, but does not compare the windows with the length of the record.
 void validate_islands(const IslandsSettings& settings) {
     settings.topology.require_numbers_in_range();
     settings.schedule.require_numbers_in_range();
@@ -115,7 +115,7 @@ Islands::Islands(const SearchProblem& problem, IslandsSettings settings, std::ve
     : problem_(problem), settings_(settings_for(problem, std::move(settings))) {
     validate_islands(settings_);
     if (streams.size() != settings_.islands.size())
-        throw std::invalid_argument(fmt::format("{} of random numbers for {}, expected one for each island",
+        throw std::invalid_argument(fmt::format("{} of random numbers for {}, expected one stream for each island",
                                                 counted(streams.size(), "stream"),
                                                 counted(settings_.islands.size(), "island")));
     neighbours_ = settings_.topology.neighbours(streams.size());
@@ -203,7 +203,7 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// Sends the emigrants. They replace earlier emigrants of this island that a neighbour has not yet received.
+/// Sends the emigrants. Earlier emigrants of this island that a neighbour has not yet received are dropped.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

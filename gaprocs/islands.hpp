@@ -35,13 +35,13 @@ struct IslandsSettings {
     Emigration emigration;
     Acceptance acceptance;
 
-    /// Throws UserError as SearchSettings::validate(), WindowSettings::validate_for(), Topology::neighbours(),
-    /// Emigration::validate_for() and Acceptance::validate_for(). Throws it also if a policy's number is out of range,
-    /// or if islands have different numbers of generations per sample.
+    /// Throws the UserErrors of SearchSettings::validate(), WindowSettings::validate_for(), Topology::neighbours(),
+    /// Emigration::validate_for() and Acceptance::validate_for(). Throws a UserError also if a policy's number is out
+    /// of range, or if islands have different numbers of generations per sample.
     void validate_for(std::size_t record_length) const;
-    /// Returns a warning if the islands form several parts without any exchange between them, or if individuals of one
-    /// island never reach another. Such a topology is allowed, but probably not intended. Otherwise returns "". Throws
-    /// as Topology::neighbours().
+    /// Returns a warning if the islands form several parts without any exchange between the parts, or if the
+    /// individuals of some island can never reach some other island of its part. Such a topology is allowed, but
+    /// probably not intended. Otherwise returns "". Throws what Topology::neighbours() throws.
     std::string warning() const;
 };
 
@@ -49,8 +49,8 @@ struct IslandsSettings {
 struct Migration {
     std::uint64_t generation; ///< number of the generation after which the individual leaves, from 1
     std::size_t from, to;
-    /// The string of the individual, with its fitness in the window of the new island. With OffspringAcceptance the
-    /// fitness is that in the old island's window, because the new island evaluates the individual one generation
+    /// The string of the individual, with its fitness in the window of the new island. With OffspringAcceptance, it is
+    /// the fitness in the window of the old island, because the new island evaluates the individual one generation
     /// later.
     Individual individual;
     std::optional<std::size_t> place; ///< index of the replaced individual; nothing if the immigrant is rejected
@@ -58,16 +58,16 @@ struct Migration {
     friend bool operator==(const Migration&, const Migration&) = default;
 };
 
-/// Accepts the immigrants in the given order, sets Migration::place of each, and breeds the next generation. Throws as
-/// Search::accept() and next_generation(). REQUIRES: unless Acceptance::among_offspring(), each immigrant's fitness is
-/// that in this island's window.
+/// Accepts the immigrants in the given order, sets Migration::place of each, and breeds the next generation. Throws
+/// what Search::accept() and Search::next_generation() throw. REQUIRES: unless Acceptance::among_offspring(), each
+/// immigrant's fitness was computed in this island's window.
 void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> arrivals, const Acceptance&);
 
-/// Several searches over the same record. In each generation, first all islands are evaluated and their emigrants
+/// Runs several searches over the same record. In each generation, first all islands are evaluated and their emigrants
 /// chosen; then each island accepts its immigrants and breeds. An island accepts immigrants in the order of the numbers
-/// of the islands from which they come. The order in which the islands are computed has no influence, because each
-/// island draws from its own random stream. The islands of a connected part begin together, when all of them have
-/// enough samples.
+/// of the islands from which they come. The result does not depend on the order in which the islands are computed,
+/// because each island draws from its own random stream. The islands of a connected part begin together, when all of
+/// them have enough samples.
 ///
 /// An immigrant is evaluated again in the window of its new island. If both islands have the same window, the fitness
 /// does not change, because sums of fitness are exact (gaprocs/fitness.hpp). Immigrants among the offspring are
@@ -78,28 +78,29 @@ void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> a
 /// and breeds.
 class Islands {
 public:
-    /// `streams`: one random stream for each island. REQUIRES: `problem` outlives the islands. Throws as settings_for()
-    /// and as IslandsSettings::validate_for(), without a check against the length of the record. Throws
-    /// std::invalid_argument if the number of streams differs from the number of islands.
+    /// `streams`: one random stream for each island. REQUIRES: `problem` outlives the islands. Throws what
+    /// settings_for() and IslandsSettings::validate_for() throw, but does not compare the windows with the length of
+    /// the record. Throws std::invalid_argument if the number of streams differs from the number of islands.
     Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams);
 
-    /// Reports all further generations and migrations to the observer. The islands have the names of island_names().
-    /// REQUIRES: the observer outlives the islands.
+    /// Reports all further generations and migrations to the observer, with the names of island_names(). REQUIRES: the
+    /// observer outlives the islands.
     void observe_by(SearchObserver& observer);
 
-    /// Continues from the checkpoints, and stores new ones. The islands have the names of island_names(). Throws as
-    /// SearchProgress. REQUIRES: called before the first next_generation(); the checkpoints outlive the islands.
+    /// Continues from the checkpoints, and stores new checkpoints, with the names of island_names(). Throws what the
+    /// constructor of SearchProgress throws. REQUIRES: called before the first next_generation(); the checkpoints
+    /// outlive the islands.
     void keep_by(Checkpoints& checkpoints);
 
     void push(const Sample& sample);
     /// Returns whether this island, and all islands that begin together with it, have enough samples for a generation.
     bool ready(std::size_t island) const;
     bool ready() const;
-    /// Makes one generation of each island that is ready, or passes over a generation that an earlier run has made.
+    /// Makes one generation of each island that is ready, or skips the generation if an earlier run has made it.
     void next_generation();
     /// Returns whether the last next_generation() made a generation of this island.
     bool has_made(std::size_t island) const { return made_[island]; }
-    /// Returns the progress of each island; none without checkpoints.
+    /// Returns the progress of each island; empty without checkpoints.
     const std::vector<std::shared_ptr<SearchProgress>>& progress() const { return progress_; }
 
     const std::vector<Search>& searches() const { return searches_; }
@@ -140,8 +141,9 @@ struct IslandsResult {
 };
 
 /// Runs the islands over a record, without a simulated machine. The islands continue from checkpoints as
-/// run_traditional() does; without the asynchronous schedule, the generations are those of an unbroken run, bit for
-/// bit. Throws as Islands, IslandsSettings::validate_for(), require_channels() and SearchProgress.
+/// run_traditional() does. Unless the schedule is asynchronous, the generations then equal the generations of an
+/// unbroken run, bit for bit. Throws what Islands, IslandsSettings::validate_for(), require_channels() and
+/// SearchProgress throw.
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
                           Checkpoints* checkpoints = nullptr);

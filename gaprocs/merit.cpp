@@ -35,7 +35,8 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
 }
 
 /// Adds to each individual of the front the distance between its neighbours in one cost, as a fraction of the front's
-/// range. The two ends of the front get infinity. Costs so far apart that the range is infinite add nothing.
+/// range. The distance of the two ends of the front is infinite. Costs so far apart that the range is infinite add
+/// nothing.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

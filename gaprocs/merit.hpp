@@ -20,8 +20,8 @@ std::vector<std::size_t> front_of(std::span<const Merit>);
 
 /// Returns all indices, the best first, in the order of NSGA-II (K. Deb, A. Pratap, S. Agarwal and T. Meyarivan, 2002):
 /// first the front, then the front of the remaining individuals, and so on. Within a front, the two ends come first,
-/// then the individuals farthest from their neighbours. With one cost, the order is that of the cost. If individuals
-/// rank equally, the lower index comes first; infeasible individuals may have any costs, or none.
+/// then the individuals farthest from their neighbours. With one cost, individuals are ordered by this cost. If
+/// individuals rank equally, the lower index comes first; infeasible individuals may have any costs, or none.
 std::vector<std::size_t> order_of(std::span<const Merit>);
 
 } // namespace placedpar

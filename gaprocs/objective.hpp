@@ -62,15 +62,15 @@ struct Objective {
     std::string unit = {};
     std::optional<double> optimum = {}; ///< the best possible value, if it is known
 
-    /// Returns the fitness for a value of the objective. Fitness is always maximised, so it is the value, or the
-    /// negated value if the objective is minimised, limited to +-2^1000.
+    /// Returns the fitness for a value of the objective. Fitness is always maximised. So the fitness is the value, or
+    /// the negated value if the objective is minimised; it is limited to +-2^1000.
     double fitness(double value) const {
         if (!std::isfinite(value))
             return worst_fitness;
         return std::clamp(goal == Goal::maximise ? value : -value, worst_fitness, -worst_fitness);
     }
-    /// Returns the value of the objective for a fitness; nothing if the value was not a finite number, or if the
-    /// individual is infeasible.
+    /// Returns the value of the objective that has this fitness; nothing if the value was not a finite number, or if
+    /// the individual is infeasible.
     std::optional<double> value(double fitness) const {
         if (fitness <= worst_fitness)
             return std::nullopt;

@@ -33,19 +33,20 @@ namespace placedpar {
 // gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
 // return infinity for an individual that is not allowed.
 //
-// A problem may also have a function constraints() with the same argument. It returns a number for each constraint,
-// which is at most 0 if the constraint is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum of
-// the numbers above 0 is the violation. Every individual without violation is better than every individual with a
-// violation; of two individuals with a violation, the one with the lesser violation is better (K. Deb, 2000). So while
-// no individual of a population is feasible, selection first reduces the violation. If a penalty is given, the
-// objective gets worse by the penalty times the violation instead. NaN is the greatest violation.
+// A problem may also have a function constraints() with the same argument. It returns one number for each constraint;
+// the number is at most 0 if the constraint is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum
+// of the numbers above 0 is the violation. Every feasible individual (without violation) is better than every
+// infeasible individual. Of two infeasible individuals, the individual with the lesser violation is better (K. Deb,
+// 2000). So while no individual of a population is feasible, selection first reduces the violation. If a penalty is
+// given, these rules do not apply: the violation times the penalty is added to the objective, or subtracted if the
+// objective is maximised. NaN is the greatest violation.
 //
 // A problem with several objectives has the functions objectives(), in place of objective(), and objective_names(). All
-// are minimised, or all maximised.
+// objectives are minimised, or all are maximised.
 
-/// An objective problem has the functions representation() and objective(). The argument of objective() is what the
-/// representation decodes. It may also have parameter_names() and parameter_units(), by default "x_1", "x_2", ...
-/// without units; objective_unit(); and optimum(), the best possible objective.
+/// An objective problem has the functions representation() and objective(). The argument of objective() is the result
+/// of representation().decode(). The problem may also have parameter_names() and parameter_units(), by default "x_1",
+/// "x_2", ... without units; objective_unit(); and optimum(), the best possible objective.
 template <typename P>
 concept StatesOneObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
@@ -210,8 +211,8 @@ private:
     Coding coding_ = Coding::natural;
 };
 
-/// minimise() and maximise() throw as P::representation() does. `penalty` worsens the objective, for each unit of
-/// violation; 0: Deb's rules.
+/// Make a search problem whose objective is minimised or maximised. They throw what P::representation() throws.
+/// `penalty`: how much worse each unit of violation makes the objective; 0: Deb's rules, see the top of this file.
 template <StatesObjective P>
 std::shared_ptr<const SearchProblem> minimise(P problem, double penalty = 0) {
     return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise, penalty);

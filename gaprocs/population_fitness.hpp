@@ -17,10 +17,10 @@
 namespace placedpar {
 
 /// Sets sums[i] to the sum of individual i's terms over the samples. Computes several individuals at once.
-/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following ones, as a container
-/// of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that is called
-/// with one sample after another, and returns the terms of the sample. The sums have the same bits as in a loop over
-/// single individuals, because an operation on Lanes rounds like the same operation on a double
+/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following individuals, as a
+/// container of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that
+/// is called with one sample after another, and that returns the terms of this sample. The sums have the same bits as
+/// in a loop over single individuals, because an operation on Lanes rounds like the same operation on a double
 /// (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
@@ -42,8 +42,8 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
     });
 }
 
-/// Does the same as sum_in_lanes_from(), but gets the parameters of one individual at a time: parameters_of(i) returns
-/// them. REQUIRES: all individuals have the same number of parameters.
+/// Does the same as sum_in_lanes_from(), but takes the parameters of one individual at a time, from parameters_of(i).
+/// REQUIRES: all individuals have the same number of parameters.
 template <typename ParametersOf, typename Samples, typename Terms>
 void sum_terms_in_lanes(const ParametersOf& parameters_of, const Samples& samples, const Terms& terms,
                         std::span<double> sums) {

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// Settings that suit a record. A netlist with other settings gets a warning.
+/// Settings that suit a record. PlacedPar warns about a netlist with other settings.
 struct RecordAdvice {
     std::size_t trials = 0; ///< number of generations per sample for which the record was made; 0: any number suits
     double bias = 0;        ///< suitable B of eq. 3.9; 0: the default suits
@@ -25,16 +25,16 @@ struct RecordToMake {
 };
 
 /// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". minimised() and
-/// maximised() make a family of objective problems from a struct that has `name`, `about` and numbers() like a policy.
-/// The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns one. If
-/// the problem has constraints, the family has one more number, `penalty`.
+/// maximised() make a family of objective problems from a struct that has `name`, `about` and numbers(), as a policy
+/// has. The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns
+/// one. If the problem has constraints, the family has one more number, `penalty`.
 struct ProblemFamily {
     PolicyDescription description;
     /// Makes the problem. REQUIRES: `numbers` has a value in range for each number of the description. Throws what the
     /// constructor or representation() of the problem throws.
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// Returns the record that belongs to the problem, which is made later. Null for objective problems. REQUIRES: as
-    /// for `make`.
+    /// Returns the record of the problem, which RecordToMake::make() makes when it is needed. Null for objective
+    /// problems. REQUIRES: what `make` requires.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 
@@ -53,8 +53,8 @@ ProblemFamily family_with(Goal goal) {
     PolicyDescription description = describe_policy<P>();
     if constexpr (StatesConstraints<Problem>)
         description.numbers.push_back({"penalty", 0, 0, 1e100, false,
-                                       "makes the objective worse, times the violation of constraints; 0: every "
-                                       "feasible individual is better than every other"});
+                                       "how much worse each unit of violation makes the objective; 0: every feasible "
+                                       "individual is better than every infeasible individual"});
     return {std::move(description), [goal](const std::vector<double>& numbers) {
                 const double penalty = StatesConstraints<Problem> ? numbers.back() : 0;
                 return std::make_shared<ObjectiveProblemOf<Problem>>(problem_with<P>(numbers), goal, penalty);

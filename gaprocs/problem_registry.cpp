@@ -104,8 +104,8 @@ const RecordedProblem& ProblemRegistry::find(std::string_view name) const {
                                 guess.empty() ? "" : "; " + guess));
 }
 
-/// Returns the problem of the family that `text` names; makes it if it has not been made before. An error names the
-/// problem with all its numbers.
+/// Returns the problem of the family that `text` names; makes the problem at the first call. An error message contains
+/// the problem's name with all its numbers.
 const RecordedProblem& ProblemRegistry::make(const ProblemFamily& family, std::string_view text) const {
     std::vector<double> numbers = read_policy(text, {family.description}).numbers;
     std::string full = family.description.text(numbers);

@@ -17,7 +17,7 @@ namespace placedpar {
 /// first call of record() may make the record.
 class RecordedProblem {
 public:
-    /// Throws std::invalid_argument as require_channels(), or if an objective problem has a record.
+    /// Throws what require_channels() throws, and std::invalid_argument if an objective problem has a record.
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record);
     RecordedProblem(std::shared_ptr<const SearchProblem> problem, RecordToMake record)
         : problem_(std::move(problem)), samples_(record.samples), advice_(record.advice),
@@ -28,7 +28,7 @@ public:
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
     /// Returns the samples, oldest first. If this was constructed with a RecordToMake, the first call makes the record.
-    /// That call throws as the other constructor does, and UserError if the number of samples differs from
+    /// That call throws what the other constructor throws, and UserError if the number of samples differs from
     /// RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
@@ -54,7 +54,7 @@ struct ProblemReader {
 class ProblemRegistry {
 public:
     /// Add a problem. `record`: the samples, or how to make them. Throw std::invalid_argument for an empty or repeated
-    /// name and for a null problem, and as the constructors of RecordedProblem.
+    /// name and for a null problem, and what the constructors of RecordedProblem throw.
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
@@ -62,7 +62,7 @@ public:
     /// "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
     void add(ProblemFamily family);
 
-    /// Adds a reader. The first find() of "format:FILE" reads the file; a relative name begins at the working
+    /// Adds a reader. The first find() of "format:FILE" reads the file; a relative path is relative to the working
     /// directory.
     void add_reader(std::string format, ProblemReader reader);
 

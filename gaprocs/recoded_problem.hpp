@@ -10,18 +10,18 @@
 
 namespace placedpar {
 
-/// Adapts a problem to a search that breeds other strings than the problem reads: strings with fewer bits, or relative
-/// to a bias point that moves.
+/// Adapts a problem to a search whose strings differ from the strings that the problem reads. The bred strings may have
+/// fewer bits, or may be relative to a moving bias point.
 class RecodedProblem final : public AdaptedProblem {
 public:
-    /// Uses `problem` in natural binary. Throws as Recoding::validate() and SearchProblem::coded(). Throws UserError if
-    /// the problem's strings are not binary, if Recoding::problem_bits do not add up to their length, or if the problem
-    /// states other fields.
+    /// Uses `problem` in natural binary. Throws what Recoding::validate() and SearchProblem::coded() throw. Throws
+    /// UserError if the problem's strings are not binary, if Recoding::problem_bits do not add up to their length, or
+    /// if the problem states other fields.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
-    /// Sets the bias point, Recoding::around. REQUIRES: `around` is a string of the problem.
+    /// Sets the bias point, Recoding::around. REQUIRES: the problem can read the string `around`.
     void move_to(Genome around) { recoding_.around = std::move(around); }
-    /// Returns the problem's string for a bred string.
+    /// Converts a bred string to the string that the problem reads.
     Genome to_problem(const Genome& bred) const { return recoding_.to_problem(bred); }
 
     std::size_t bits() const override { return recoding_.length(); }

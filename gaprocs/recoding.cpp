@@ -45,7 +45,7 @@ void Recoding::validate() const {
         throw std::invalid_argument(fmt::format("the problem's string has {}, but bits are given for {}",
                                                 counted(problem_bits.size(), "field"), bits.size()));
     if (coding == Coding::real)
-        throw std::invalid_argument("real numbers have no bits");
+        throw std::invalid_argument("the coding \"real\" has no fields of bits, expected \"natural\" or \"gray\"");
     for (std::size_t i = 0; i < bits.size(); ++i)
         validate_field(i, bits[i], problem_bits[i]);
     if (around && around->size() != problem_length())

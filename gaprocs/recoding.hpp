@@ -15,13 +15,14 @@ namespace placedpar {
 /// natural binary or Gray code.
 struct Recoding {
     std::vector<std::size_t> problem_bits; ///< number of bits of each field of the problem's string
-    /// Number of bits of each field of the bred string, at most that of the problem's field. Without `around`, the bred
-    /// bits are the most significant bits of the problem's field (thesis 6.2), whose other bits are 0.
+    /// Number of bits of each field of the bred string; at most as many as the problem's field has. Without `around`,
+    /// the bred bits are the most significant bits of the problem's field (thesis 6.2), whose other bits are 0.
     std::vector<std::size_t> bits;
     Coding coding = Coding::natural; ///< coding of the bred fields
-    /// The bias point of a "fine" genetic algorithm, as a string of the problem. A bred field with as many bits as the
-    /// problem's field ignores the bias point. A bred field with fewer bits, say n, is an offset: the bred number minus
-    /// 2^(n - 1) is added to the bias point's field. The sum is limited to the codes of the problem's field.
+    /// The bias point of a "fine" genetic algorithm, as a string that the problem reads. A bred field with as many bits
+    /// as the problem's field ignores the bias point. A bred field with fewer bits, say n, is an offset: the bred
+    /// number minus 2^(n - 1) is added to the bias point's field. The sum is limited to the codes of the problem's
+    /// field.
     std::optional<Genome> around = std::nullopt;
 
     /// Throws std::invalid_argument if there are no fields, if the coding is "real", or if `bits` and `problem_bits`
@@ -32,8 +33,8 @@ struct Recoding {
     std::size_t length() const;
     /// Returns the length of the problem's string in bits.
     std::size_t problem_length() const;
-    /// Returns the problem's string for a bred string. REQUIRES: validate() throws nothing, and bred.size() ==
-    /// length().
+    /// Converts a bred string to the string that the problem reads. REQUIRES: validate() throws nothing, and
+    /// bred.size() == length().
     Genome to_problem(const Genome& bred) const;
     std::vector<Genome> to_problem(std::span<const Genome> bred) const;
 };

@@ -65,8 +65,9 @@ void Search::go_on_from(SearchState state) {
     const bool fits = state.population.size() == population_.size() && representation_.holds(state.population) &&
                       (!state.best || is_valid(*state.best));
     if (!fits)
-        throw UserError(
-            fmt::format("the checkpoint does not hold {} of this search", counted(population_.size(), "string")));
+        throw UserError(fmt::format("the checkpoint belongs to another search: expected {} of this search's "
+                                    "representation, with a finite best fitness",
+                                    counted(population_.size(), "string")));
     generation_ = state.generation;
     redraws_ = state.redraws;
     random_.go_to(state.drawn);

@@ -34,7 +34,8 @@ struct SearchState {
 /// A traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
 /// individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of population() and
 /// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness.
-/// So algorithm A, whose slaves compute the fitness, gives exactly the generations of the traditional algorithm.
+/// So algorithm A of the thesis, in which slaves compute the fitness, gives exactly the generations of the traditional
+/// algorithm.
 ///
 /// After an evaluation, an island calls emigrants(), then accept(), then next_generation(). If
 /// Acceptance::among_offspring(), it calls emigrants(), then next_generation(), then accept_among_offspring().
@@ -44,15 +45,17 @@ struct SearchState {
 /// the window moves. If there is an elite, the best fitness never decreases while the window stays the same.
 class Search {
 public:
-    /// Takes the first individuals from SearchSettings::initial and draws the others. Throws as
-    /// SearchSettings::validate() and require_fitting_operators(). Throws UserError if an initial individual does not
-    /// have representation.bits() bits.
+    /// Takes the first individuals from SearchSettings::initial and draws the others. Throws what
+    /// SearchSettings::validate() and require_fitting_operators() throw. Throws UserError if an initial individual does
+    /// not have representation.bits() bits.
     Search(Representation representation, const SearchSettings& settings, RandomStream random);
-    /// Makes a search of binary strings. Throws as above, and std::invalid_argument for 0 bits.
+    /// Makes a search of binary strings. Throws what the first constructor throws, and std::invalid_argument for 0
+    /// bits.
     Search(std::size_t bits, const SearchSettings& settings, RandomStream random)
         : Search(BitString(bits), settings, std::move(random)) {}
-    /// Starts from a given population of binary strings. Throws as above. Throws std::invalid_argument if the
-    /// population does not have settings.population strings, or if they have different lengths.
+    /// Starts from a given population of binary strings. Throws what the first constructor throws. Throws
+    /// std::invalid_argument if the population does not have settings.population strings, or if they have different
+    /// lengths.
     Search(std::vector<Genome> population, const SearchSettings& settings, RandomStream random);
 
     const Representation& representation() const { return representation_; }
@@ -67,13 +70,13 @@ public:
     /// Returns the state before the next evaluation.
     SearchState state() const { return {generation_, redraws_, random_.drawn(), population_, best_}; }
     /// Continues from the state of a search with the same representation, settings and random stream. Throws UserError
-    /// for another number of individuals, for strings of another representation and for a best fitness that is not
+    /// if the state has another number of individuals, strings of another representation, or a best fitness that is not
     /// finite.
     void go_on_from(SearchState);
     /// Returns whether the string belongs to this search's representation and the fitness is finite.
     bool is_valid(const Individual&) const;
 
-    /// A function that next_generation() calls before it breeds. At that time the population includes the immigrants of
+    /// A function that next_generation() calls before it breeds. The population then already includes the immigrants of
     /// accept().
     using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
@@ -87,16 +90,16 @@ public:
     const Individual& best() const;
 
     /// Returns copies of the emigrants with their fitness; by default, the best individual emigrates. Draws from this
-    /// search's random stream. Throws as next_generation() and `emigration`.
+    /// search's random stream. Throws what next_generation() and `emigration` throw.
     std::vector<Individual> emigrants(std::span<const double> fitness, const Emigration& emigration = {});
     /// Replaces individuals by immigrants, both in population() and in `fitness`; by default, an immigrant replaces the
     /// worst individual. Returns for each immigrant the index of the individual that it replaced. Draws from this
-    /// search's random stream. Throws as next_generation() and `acceptance`, and std::invalid_argument for an immigrant
-    /// of another length. REQUIRES: !acceptance.among_offspring().
+    /// search's random stream. Throws what next_generation() and `acceptance` throw, and std::invalid_argument for an
+    /// immigrant of another length. REQUIRES: !acceptance.among_offspring().
     Places accept(std::span<const Individual> immigrants, std::span<double> fitness, const Acceptance& acceptance = {});
-    /// Replaces individuals of the population that next_generation() has bred, except the elite, by immigrants. Throws
-    /// as Acceptance::validate_for(), and std::invalid_argument for an immigrant of another length. REQUIRES: the
-    /// population has not been evaluated since next_generation().
+    /// Replaces individuals outside the elite by immigrants, in the population that next_generation() has bred. Throws
+    /// what Acceptance::validate_for() throws, and std::invalid_argument for an immigrant of another length. REQUIRES:
+    /// the population has not been evaluated since next_generation().
     Places accept_among_offspring(std::span<const Individual> immigrants);
 
 private:

@@ -17,8 +17,8 @@ namespace placedpar {
 
 class SearchProblem; // gaprocs/search_problem.hpp
 
-/// An evaluated generation before it breeds. Its population includes the accepted immigrants, but not immigrants among
-/// the offspring, which come after breeding.
+/// An evaluated generation before it breeds. Its population includes the immigrants that were accepted before
+/// breeding. Immigrants that are accepted after breeding, among the offspring, belong to the next generation.
 struct ObservedGeneration {
     std::string_view search;  ///< name of the process; without processes, "traditional" or a name such as "island[2]"
     std::uint64_t number;     ///< from 1
@@ -40,7 +40,7 @@ struct ObservedMigration {
     bool accepted;            ///< false: rejected
 };
 
-/// The answer that ActiveErrorAnalysis chose for several searches.
+/// The answer of one of several searches, which ActiveErrorAnalysis has chosen.
 struct ObservedAnswer {
     std::string_view analyst, chosen; ///< names of the analyst and of the chosen search
     std::uint64_t generation;         ///< generation of the searches, from 1

@@ -54,9 +54,11 @@ std::shared_ptr<const SearchProblem> SearchProblem::coded(Coding coding) const {
 
 void refuse_coding(Coding coding) {
     if (coding == Coding::real)
-        throw UserError("the coding \"real\" has no meaning for this problem, which has no real numbers to breed");
+        throw UserError("the coding \"real\" has no meaning for this problem, which has no real numbers to breed; "
+                        "choose \"natural\"");
     throw UserError(fmt::format(
-        "the coding \"{}\" has no meaning for this problem, which does not divide its binary string into fields",
+        "the coding \"{}\" has no meaning for this problem, which does not divide its binary string into fields; "
+        "choose \"natural\"",
         coding.text()));
 }
 

@@ -23,8 +23,8 @@ namespace placedpar {
 using Sample = std::vector<double>;
 
 /// The functions of a problem that a search needs. A plain struct can have them without including this header. A
-/// problem works with natural binary and Gray code if its functions are templates of the genome's type and read the
-/// genome by field(first, count). A problem may also have `coding()`, the ParameterCoding of the string;
+/// problem works with natural binary and Gray code if its functions are templates in the type of the genome, and read
+/// the genome by field(first, count). A problem may also have `coding()`, the ParameterCoding of the string;
 /// `true_parameters()`, the parameters from which a simulated record was made; and the members of ErrorOfParameters,
 /// which make the evaluation of a population faster.
 template <typename P, typename G = Genome>
@@ -46,13 +46,13 @@ public:
     /// Returns the length of the string in bits.
     virtual std::size_t bits() const = 0;
     virtual Representation representation() const { return BitString(bits()); }
-    /// Returns the number of numbers in a sample; 0 for a problem with an objective().
+    /// Returns how many numbers a sample has; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
     /// Returns the objective of a problem that needs no record of measurements; nothing for a problem with a record. If
     /// there is an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
-    /// Returns the names of the objectives of a problem that has several; otherwise none. Such a problem has no
-    /// fitness: search_front() searches for it (gaprocs/front_search.hpp).
+    /// Returns the names of the objectives if there are several; empty otherwise. A problem with several objectives has
+    /// no fitness: it needs search_front() (gaprocs/front_search.hpp).
     virtual std::vector<std::string> objective_names() const { return {}; }
     /// Returns the costs of an individual, all to be minimised, and its violation of the constraints; nothing for a
     /// problem with a record. An individual with a cost that is not a finite number is infeasible.
@@ -64,7 +64,8 @@ public:
     /// Returns whether the error at a sample depends on the first sample of the window. If so, the errors of one
     /// individual cannot be divided among processes.
     virtual bool depends_on_window() const { return false; }
-    /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: as error().
+    /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: what error() requires,
+    /// for each sample.
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
     /// Returns the error of one individual at one sample (eq. 3.8). If depends_on_window(), the sample is taken as the
     /// first of a window. REQUIRES: a string of bits() bits, a sample of channels() numbers, and no objective().
@@ -87,16 +88,15 @@ public:
     /// state its fields.
     virtual std::vector<std::size_t> fields() const { return {}; }
     virtual Coding coding() const = 0;
-    /// Returns the same problem with strings in another coding. Throws UserError if the problem cannot have this
-    /// coding.
+    /// Returns the problem with its strings in another coding. Throws UserError if the problem cannot have this coding.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// Does the work of coded() for a coding without don't-care bits.
+    /// Does what coded() does, for a coding without don't-care bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 
-/// A base class of problems that change some answers of another problem, and pass on the others.
+/// Base class of problems that wrap another problem: they change some of its results, and pass on the other results.
 class AdaptedProblem : public SearchProblem {
 public:
     explicit AdaptedProblem(std::shared_ptr<const SearchProblem> problem) : problem_(std::move(problem)) {}
@@ -133,13 +133,13 @@ public:
     Coding coding() const override { return problem_->coding(); }
 
 protected:
-    /// Returns the other problem's string for a string of this problem.
+    /// Converts a string of this problem to a string of the wrapped problem.
     virtual Genome read(const Genome& genome) const { return genome; }
 
     std::shared_ptr<const SearchProblem> problem_;
 };
 
-/// Throws the UserError with which coded() refuses a coding.
+/// Throws the UserError of coded() for a coding that a problem cannot have.
 [[noreturn]] void refuse_coding(Coding);
 
 /// Makes a SearchProblem of a plain struct.

@@ -23,8 +23,8 @@ SearchProgress::SearchProgress(Search& search, std::string name, Checkpoints* ch
 
 void SearchProgress::require_passed(const Search& search) const {
     if (to_pass_over_ > 0)
-        throw UserError(fmt::format("the checkpoint is from a generation after the last generation of this search, {}: "
-                                    "let the search run longer, or delete the checkpoint to begin anew",
+        throw UserError(fmt::format("this search ends with generation {}, before the generation of the checkpoint: let "
+                                    "the search run longer, or delete the checkpoint to start from the beginning",
                                     search.generation() - to_pass_over_));
 }
 

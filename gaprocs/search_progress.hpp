@@ -10,18 +10,17 @@
 
 namespace placedpar {
 
-/// The progress of a search over several runs. Each run continues from the checkpoint of the run before. For each
-/// generation, call passes_over(); if it returns false, call note_population(), evaluate and breed, then note_best()
-/// and keep().
+/// Tracks a search over several runs. Each run continues from the checkpoint of the run before. For each generation,
+/// call passes_over(); if it returns false, call note_population(), evaluate and breed, then note_best() and keep().
 class SearchProgress {
 public:
-    /// Puts the search into the state of the checkpoint of this name, if there is one. Throws as Search::go_on_from().
-    /// `checkpoints` is null if the search begins anew and its state is not stored.
+    /// Puts the search into the state of the checkpoint of this name, if there is one. Throws what Search::go_on_from()
+    /// throws. `checkpoints` is null if the search starts from the beginning and its state is not stored.
     SearchProgress(Search&, std::string name, Checkpoints* checkpoints);
 
-    /// Passes over the next generation if an earlier run has made it. Returns whether it did so.
+    /// Skips the next generation if an earlier run has made it. Returns whether the generation was skipped.
     bool passes_over() { return to_pass_over_ > 0 && to_pass_over_-- > 0; }
-    /// Throws UserError if generations of the earlier run are left to pass over.
+    /// Throws UserError if this run has ended before it has skipped all generations of the earlier run.
     void require_passed(const Search&) const;
 
     void note_population(const Search&);
@@ -39,7 +38,7 @@ public:
 private:
     std::string name_;
     Checkpoints* checkpoints_;
-    std::uint64_t to_pass_over_ = 0; ///< number of generations still to pass over
+    std::uint64_t to_pass_over_ = 0; ///< number of generations still to be skipped
     std::optional<Individual> best_;
     Fingerprint populations_;
 };

@@ -39,7 +39,7 @@ void WindowSettings::validate() const {
         throw UserError("the number of generations per sample is 0, expected at least 1");
     if (!(bias > 0 && bias <= fitness_term_limit))
         throw UserError(
-            fmt::format("the fitness bias is {}, expected above 0 and at most {}", bias, fitness_term_limit));
+            fmt::format("the fitness bias is {}, expected a number above 0 and at most {}", bias, fitness_term_limit));
 }
 
 void WindowSettings::validate_for(std::size_t record_length) const {

@@ -13,8 +13,8 @@ namespace placedpar {
 /// The window: the newest samples of the record, over which fitness is computed (thesis 3.1.1 and 4.3).
 struct WindowSettings {
     std::size_t length = 10; ///< number of samples in a full window
-    /// Number of samples before the first generation; `length`, if that is less. The thesis does not specify this
-    /// number; 5 is our choice.
+    /// Number of samples before the first generation; `length` if `length` is less than `first`. The thesis does not
+    /// specify this number; 5 is our choice.
     std::size_t first = 5;
     std::size_t trials = 5; ///< generations per new sample
     double bias = 400;      ///< B of eq. 3.9, in the unit of the squared error
@@ -22,7 +22,7 @@ struct WindowSettings {
     /// Throws UserError unless every setting is above 0, `length` <= `exact_fitness_terms` and `bias` <=
     /// `fitness_term_limit`.
     void validate() const;
-    /// Throws as validate(), and UserError if the window is longer than the record.
+    /// Throws what validate() throws, and UserError if the window is longer than the record.
     void validate_for(std::size_t record_length) const;
 };
 
@@ -46,12 +46,12 @@ struct SearchSettings {
 
     /// Throws UserError if `population` is below 2 or above `largest_population`, if there are more than `population`
     /// initial individuals, or if fewer than two individuals are outside the elite. Throws it also if a probability is
-    /// outside 0 ... 1 or a policy's number is out of range. Throws as WindowSettings::validate().
+    /// outside 0 ... 1 or a policy's number is out of range. Throws what WindowSettings::validate() throws.
     void validate() const;
 };
 
 /// Throws UserError if the crossover or the mutation does not work on these strings. The message names the operators
-/// that do.
+/// that work on them.
 void require_fitting_operators(const Representation&, const SearchSettings&);
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ namespace placedpar {
 /// the fields and the coding of the strings. Draws at least `count` numbers for each field. REQUIRES:
 /// reading.validate() throws nothing.
 std::vector<Genome> spread_population(std::size_t count, const Recoding& reading, RandomStream& random);
-/// Returns a spread population of the problem's strings. Throws UserError if these have no fields of bits.
+/// Returns such a population for a problem. Throws UserError if the problem's strings have no fields of bits.
 std::vector<Genome> spread_population(std::size_t count, const SearchProblem& problem, RandomStream& random);
 
 } // namespace placedpar

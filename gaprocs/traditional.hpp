@@ -22,7 +22,7 @@ struct Estimate {
 };
 
 struct SearchResult {
-    std::vector<Estimate> estimates; ///< one for each sample, except those before SlidingWindow::ready()
+    std::vector<Estimate> estimates; ///< one for each sample, except the samples before SlidingWindow::ready()
     std::uint64_t generations = 0;
     std::uint64_t redraws = 0;
     std::vector<Genome> population; ///< population after the last generation, not yet evaluated
@@ -32,7 +32,7 @@ struct SearchResult {
     const Estimate& best() const;
 };
 
-/// For an objective, adds the best individual of earlier runs to the estimates.
+/// If the problem has an objective, adds the best individual of earlier runs to the estimates.
 void add_earlier_best(SearchResult&, const SearchProblem&, const SearchProgress&, const Search&);
 
 /// Returns the fitness of each individual over the samples of the window.

@@ -35,9 +35,10 @@ SearchSettings settings_for(const SearchProblem& problem, SearchSettings setting
 void require_fitting_reproduction(const SearchProblem& problem, const Reproduction& reproduction) {
     auto objective = problem.objective();
     if (objective && objective->goal == Goal::minimise && reproduction.needs_positive_fitness())
-        throw UserError(fmt::format("reproduction by {} discards individuals with fitness <= 0, but a minimised "
-                                    "objective is negated: expected ranking, scaled or tournament",
-                                    reproduction.text()));
+        throw UserError(
+            fmt::format("reproduction by {} discards individuals with fitness <= 0, but the fitness of a minimised "
+                        "objective is the negated objective: expected ranking, scaled or tournament",
+                        reproduction.text()));
 }
 
 void require_channels(const SearchProblem& problem, std::span<const Sample> record) {

@@ -34,8 +34,8 @@ struct Sums {
 };
 
 /// Neighbouring estimates of a series, which are searched for a change. The scatter is computed from the whole series,
-/// so this struct also has the rest of the series: the sum of the squared distances from its means, in squared standard
-/// errors, and their degrees of freedom.
+/// so this struct also describes the rest of the series: the sum of the squared distances from its means, in squared
+/// standard errors, and their degrees of freedom.
 struct Part {
     std::span<const UncertainValue> estimates;
     double squares_elsewhere = 0;
@@ -48,7 +48,7 @@ struct Split {
     Sums before, after;
 
     /// Returns the mean square of the distances from the means, in squared standard errors. It is about 1 if the
-    /// standard errors are right. Returns 1 for two estimates, which do not determine it.
+    /// standard errors are right. Returns 1 for two estimates, which do not determine the scatter.
     double scatter(const Part& part) const {
         const std::size_t degrees = part.estimates.size() - 2 + part.degrees_elsewhere;
         const double squares = before.scatter() + after.scatter() + part.squares_elsewhere;
@@ -109,7 +109,7 @@ class ChangingSeries {
 public:
     explicit ChangingSeries(const std::vector<UncertainValue>& series)
         : series_(series), zero_(series.empty() ? 0 : series.front().value) {
-        for (UncertainValue& each : series_) // about 0, so that the sums of squares lose no digits
+        for (UncertainValue& each : series_) // moves the values near 0, so that the sums of squares lose no digits
             each.value -= zero_;
     }
 
@@ -175,7 +175,7 @@ private:
     }
 
     std::vector<UncertainValue> series_;
-    double zero_; ///< was subtracted from all values
+    double zero_; ///< number that was subtracted from all values
     std::map<std::size_t, double>
         probabilities_; ///< probability of each change, by the index of the first estimate after it
 };

@@ -11,7 +11,7 @@ namespace {
 
 hydraulics::Circuit checked(hydraulics::Circuit circuit) {
     if (circuit.empty() || circuit.size() > hydraulics::all_links.size())
-        throw std::invalid_argument(fmt::format("the circuit has {} junctions, expected 1 to 4", circuit.size()));
+        throw std::invalid_argument(fmt::format("a circuit has 1 to 4 junctions, not {}", circuit.size()));
     return circuit;
 }
 

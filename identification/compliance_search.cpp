@@ -32,12 +32,12 @@ void require_one_group(const Question& question) {
 
 void require_described(const Question& question) {
     if (question.side == Side::outlet && question.links != LinkSet{Link::boom})
-        throw UserError(fmt::format("--side outlet: {}: the machine's constants describe the outlet side of the boom "
-                                    "only (boom.outlet_area, A.7 to A.9)",
+        throw UserError(fmt::format("--side outlet does not work for {}: the machine's constants describe only the "
+                                    "outlet side of the boom (boom.outlet_area, A.7 to A.9)",
                                     list(question.links)));
     if (question.side == Side::outlet && question.areas_from == AreasFrom::areas)
-        throw UserError("--side outlet: no sensor reads the area of an outlet; it comes from the spool or the "
-                        "servo-valve: --areas-from spool or servo");
+        throw UserError("--side outlet: no sensor reads the area of an outlet; compute it from the spool or the "
+                        "servo-valve, with --areas-from spool or --areas-from servo");
 }
 
 } // namespace

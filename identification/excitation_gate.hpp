@@ -8,8 +8,8 @@ namespace placedpar::identification {
 /// The gate opens at a sufficient slope of the pressure, or at a sufficient flow into the compliance. The second
 /// condition admits a soft hose, whose pressure rises slowly.
 struct ExcitationGate {
-    double slope_psi_per_s = 800; ///< least rms slope; ours: with up to medium noise, 9 of 10 estimates are right to 10
-                                  ///< %
+    double slope_psi_per_s = 800; ///< least rms slope; we chose it so that with up to medium noise, 9 of 10 estimates
+                                  ///< are right to within 10 %
 
     /// The thesis's compliance. At this compliance both conditions are met at the same slope.
     static constexpr double thesis_in3_per_psi = 0.0086;

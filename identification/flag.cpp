@@ -25,7 +25,7 @@ bool at_upper_bound(double compliance, double step) {
 
 Flag lower_bound_flag() {
     return {FlagKind::lower_bound, "at the lower bound of the search: the compliance that fits the record best "
-                                   "is 0 or negative, as after an offset of the spool's readings"};
+                                   "is 0 or negative, which an offset of the spool's readings can cause"};
 }
 
 Flag upper_bound_flag() {

@@ -12,17 +12,17 @@ enum class FlagKind : unsigned char {
     lower_bound,   ///< the answer is at the search's lower bound
     upper_bound,   ///< the answer is at the search's upper bound
     no_excitation, ///< the pressure hardly changes
-    misfit,        ///< the rms error of the circuit's equations exceeds the root of the bias
+    misfit,        ///< the best individual's flow error exceeds the square root of the bias of the fitness
     still_valve,   ///< the valve reading never changes
     unsettled,     ///< the best individuals of the last generations disagree
-    inconsistent,  ///< the population sets disagree: cross-check 1 of thesis 3.3
+    inconsistent,  ///< the sets of links that were searched apart disagree: cross-check 1 of thesis 3.3
     halves,        ///< the two halves of the samples disagree
     uncertain,     ///< the relative standard error is too large
     offset,        ///< the calibration found a spool offset, which may really be a leak
     vacuum,        ///< a pressure is below vacuum
     frozen,        ///< the pressure's reading stays constant, then jumps
     falls,         ///< the piston retracts while oil flows in
-    unconfirmed,   ///< least squares finds another compliance, or one with a large standard error
+    unconfirmed,   ///< least squares finds another compliance, or a compliance with a large standard error
     impossible,    ///< physically impossible readings, such as single outliers
     leak_or_offset ///< a leak or an offset; the record does not tell which
 };
@@ -44,11 +44,12 @@ struct LeastSquares {
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
-/// The relative standard error above which a compliance is flagged. The value is ours: with a standard error of 10 %,
+/// The relative standard error above which a compliance is flagged. We chose this value: with a standard error of 10 %,
 /// one answer in three is wrong by more than 10 %.
 inline constexpr double uncertain_share = 0.1;
 
-/// These functions return whether an answer is within two or three steps of an end of the search's range. A step is the
+/// Return whether an answer is within two steps of the lower end of the search's range, or within three steps of the
+/// upper end. A step is the
 /// difference between neighbouring codes. A spool offset can make the data fit best at a compliance that is negative or
 /// beyond the range. The search then stays at the end of its range.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
@@ -59,8 +60,8 @@ Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
 /// Returns a flag unless the answer is confirmed. The answer is confirmed if its distance from the reference, plus two
-/// standard errors of the reference, is at most 10 % of the reference. The limits are ours, tuned on simulated machines
-/// of all configurations. `samples` describes the samples of the reference in words.
+/// standard errors of the reference, is at most 10 % of the reference. We chose these limits, and tuned them on
+/// simulated machines of all configurations. `samples` describes the samples of the reference in words.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);
 

@@ -17,8 +17,8 @@ using namespace hydraulics;
 
 namespace {
 
-// These limits are ours, half the limits of ExcitationGate. Below these limits, at medium noise, a third of the
-// estimates are wrong by more than 10 %.
+// We chose these limits: half the limits of ExcitationGate. Below them, at medium noise, a third of the estimates are
+// wrong by more than 10 %.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
 // A link is flagged if the compliances found in the two halves of the samples differ by more than this share of the
 // answer.
@@ -179,9 +179,10 @@ void flag_calibration(Identified& identified, const SpoolOffset& found, double r
     auto boom = std::ranges::find(identified.links, Link::boom, &LinkIdentified::link);
     if (boom != identified.links.end())
         boom->flags.push_back(
-            {FlagKind::offset, fmt::format("the calibration found an offset of {:+.4f} in, but a leak looks the "
-                                           "same; calibrate on a machine known to be sound, and give --offset",
-                                           found.offset_in)});
+            {FlagKind::offset,
+             fmt::format("the calibration found an offset of {:+.4f} in, but a leak looks the "
+                         "same; calibrate on a machine known to be sound, and give its offset with --offset",
+                         found.offset_in)});
 }
 
 } // namespace placedpar::identification

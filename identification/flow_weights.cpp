@@ -9,10 +9,10 @@ namespace {
 using Square = PerJunction<PerJunction<double>>;
 
 /// This is the least standard deviation of a flow: its square is added to the mean square of each flow. It is about the
-/// resolution of the readings. Without it, some combinations of flows would get unlimited weight in records without
-/// noise.
+/// resolution of the readings. Without this addition, some combinations of flows would get unlimited weight in records
+/// without noise.
 constexpr double least_scatter_in3_per_s = 0.1;
-/// With few samples, the mean square of some combination of flows looks too small. Therefore shrinkage * mean *
+/// With few samples, the mean square of some combination of flows is too small by chance. Therefore shrinkage * mean *
 /// junctions / samples^2 is added to the mean square of each flow, where `mean` is the mean over the flows.
 constexpr double shrinkage = 10;
 

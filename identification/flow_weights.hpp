@@ -13,8 +13,8 @@ namespace placedpar::identification {
 
 /// Scales the missing flows of a circuit so that they become uncorrelated. Two junctions share the flow through a
 /// bypass, so an error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values
-/// in equation 3.11 counts this error twice; the weights remove this effect. The weights are ours: the thesis weighs
-/// all flows alike.
+/// in equation 3.11 counts this error twice; the weights remove this effect. The weights are our addition: the thesis
+/// weighs all flows alike.
 struct FlowWeights {
     /// The inverse of the Cholesky factor of the scatter (mean products of the missing flows), times a constant. Row j
     /// has entries for the junctions up to j.

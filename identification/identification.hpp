@@ -20,10 +20,10 @@ struct LinkIdentified {
     double compliance_in3_per_psi = 0;
     double standard_error = 0; ///< standard error of least squares: on the last window in identify(), on all samples in
                                ///< identify_whole()
-    /// Least squares over all samples. identify() computes it only for several links.
+    /// Least squares over all samples. identify() computes it only if it identifies several links together.
     std::optional<LeastSquares> of_all_samples = {};
-    /// The compliance in the best of all strings on the last window; nullopt if not computed, as for strings longer
-    /// than exhaustive_bits.
+    /// The compliance that fits the last window best, found by trying every string; nullopt if the strings are longer
+    /// than exhaustive_bits, or if this was not tried.
     std::optional<double> optimum = {};
     std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
     std::vector<Flag> flags = {};                  ///< empty if nothing is unusual

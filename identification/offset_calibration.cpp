@@ -1,6 +1,7 @@
 #include "identification/offset_calibration.hpp"
 
 #include "hydraulics/circuit/boom_orifices.hpp"
+#include "hydraulics/circuit/voltage_spool.hpp"
 
 #include <boost/math/tools/roots.hpp>
 
@@ -54,6 +55,13 @@ double unrest_psi_per_s(std::span<const CircuitSample> samples, const SteadyMoti
     return unrest > steady.slope_psi_per_s || std::abs(2 * halves_psi / count) > steady.drift_psi ? never : unrest;
 }
 
+/// Returns the position of the spool at each instant: as read, or computed from the voltage by A.1.
+std::vector<double> boom_spool(const Record& record, const LinkCalibration& boom) {
+    return boom.from == AreasFrom::servo ? spool_from_volts(record.of(Link::boom, Sensor::servo), record.time_s,
+                                                            boom.constants.spool_lag_per_s, record.period_s)
+                                         : record.of(Link::boom, Sensor::spool);
+}
+
 std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalibrations& calibrations,
                                            const SteadyMotion& steady) {
     auto samples = circuit_samples(record, boom_circuit(), calibrations);
@@ -68,10 +76,10 @@ std::vector<SteadySample> steadiest_motion(const Record& record, const LinkCalib
             best = stretch;
         }
     }
+    const std::vector<double> spool_in = boom_spool(record, calibrations[index_of(Link::boom)]);
     std::vector<SteadySample> motion;
     for (const CircuitSample& sample : best)
-        motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s,
-                          record.of(Link::boom, Sensor::spool)[sample.index]});
+        motion.push_back({sample.links[0].inlet_psi, sample.links[0].piston_flow_in3_per_s, spool_in[sample.index]});
     return motion;
 }
 

@@ -8,7 +8,7 @@
 namespace placedpar::identification {
 
 /// Criteria of steady motion, in which pressure and velocity hardly change, so that the flow balance of equation 3.3
-/// holds with C dP/dt near 0. All values are ours.
+/// holds with C dP/dt near 0. We chose all values.
 struct SteadyMotion {
     double duration_s = 1;
     double drift_psi = 8;             ///< largest difference between the mean pressures of the motion's two halves
@@ -25,9 +25,10 @@ struct SpoolOffset {
     std::size_t samples;
 };
 
-/// Finds the offset of the boom's spool from the record's steadiest motion. Subtracting the offset from the readings
+/// Finds the offset of the boom's spool from the record's steadiest motion. Subtracting the offset from the positions
 /// makes the pump's mean flow equal to the cylinder's flow plus the flow to the tank (equations 3.1 to 3.3, without
-/// dP/dt). REQUIRES: the boom moves alone, and the areas of its valve are computed from the spool. Returns nullopt if
+/// dP/dt). The positions are computed from the servo-valve's voltage if `calibrations` states this source for the boom,
+/// otherwise they are the readings of the spool. REQUIRES: the boom moves alone. Returns nullopt if
 /// there is no steady motion, or if no offset within 0.08 in balances the flow. An error of 1 % in the orifice constant
 /// k or the pump's flow Q shifts the result by 0.0011 to 0.0016 in.
 std::optional<SpoolOffset> calibrate_spool_offset(const hydraulics::Record& record,

@@ -7,7 +7,7 @@
 namespace placedpar::identification {
 
 /// Returns the largest accepted distance of a reading from the median of the five readings around it. Above a period of
-/// 0.02 s, the limit grows with the square of the period. The limits are ours: twice the distances that simulated
+/// 0.02 s, the limit grows with the square of the period. We chose these limits: twice the distances that simulated
 /// machines reach at high noise.
 double greatest_excursion(hydraulics::Sensor sensor, double period_s);
 

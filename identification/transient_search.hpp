@@ -27,7 +27,7 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
-/// The answer of a simulated machine that gets each sample when the sample is taken.
+/// The answer of a simulated machine that receives each sample when the sample is taken.
 struct AnswerInTime {
     std::vector<double> compliance_in3_per_psi; ///< in the circuit's order
     std::string process;                        ///< the search whose answer is the fittest
@@ -41,7 +41,7 @@ struct AnswerInTime {
 void require_samples(std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way);
 
 /// Runs one search over the samples. Unlike run_traditional(), it has a gate, and it empties the window at a gap in the
-/// record. Throws as require_samples().
+/// record. Throws what require_samples() throws.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

@@ -101,9 +101,10 @@ void flag_limit(LinkIdentified& link) {
     const double off = std::abs(link.compliance_in3_per_psi - least) + errors * link.standard_error;
     if (std::isfinite(link.standard_error) && off > share * least && !link.flagged(FlagKind::unconfirmed))
         link.flags.push_back(
-            {FlagKind::uncertain, fmt::format("uncertain: the noise allows a standard error of {:.1f} %, so the answer "
-                                              "may be wrong by more than {:.0f} % (three standard errors)",
-                                              100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
+            {FlagKind::uncertain,
+             fmt::format("uncertain: with this noise, the standard error is at least {:.1f} %, so the answer "
+                         "may be wrong by more than {:.0f} % (three standard errors)",
+                         100 * link.standard_error / link.compliance_in3_per_psi, 100 * share)});
 }
 
 Identified identify_whole(const ComplianceSearch& prepared, const WholeWay& whole, std::uint64_t seed) {

@@ -63,7 +63,7 @@ OpenFile connect_by_network(const std::string& name, const Interrupted& interrup
     for (const addrinfo* each = addresses.get(); each; each = each->ai_next) {
         OpenFile socket(::socket(each->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
         error = socket ? try_to_connect(socket, *each, interrupted) : errno;
-        const int at_once = 1; // requests are short, and each waits for the reply before
+        const int at_once = 1; // requests are short, and each waits for the previous reply
         ::setsockopt(socket.descriptor(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
         if (error == 0 || error == EINTR)
             return error == 0 ? std::move(socket) : OpenFile{};
@@ -98,7 +98,7 @@ private:
     std::array<std::uint8_t, 512> received_;
 };
 
-/// Returns false if it was interrupted.
+/// Sends the bytes. Returns false if the run was interrupted.
 bool BoardSession::send(std::string_view bytes, std::string_view what) {
     for (std::size_t sent = 0; sent < bytes.size();) {
         const Wait wait = wait_for(board_, POLLOUT, interrupted_, patience_);
@@ -116,8 +116,8 @@ bool BoardSession::send(std::string_view bytes, std::string_view what) {
     return true;
 }
 
-/// Returns some bytes; none after an interruption. Between two requests the program may compute for as long as it
-/// likes.
+/// Receives some bytes; returns none after an interruption. Between two requests the program may compute for as long as
+/// it likes.
 ByteView BoardSession::receive() {
     for (;;) {
         const Wait wait =
@@ -125,8 +125,8 @@ ByteView BoardSession::receive() {
         if (wait == Wait::interrupted)
             return {};
         if (wait == Wait::too_long)
-            fail(fmt::format("the board stopped within request {}: {} more bytes were expected", run_.requests + 1,
-                             reader_.wanted()));
+            fail(fmt::format("the board stopped within request {}: the number of missing bytes is {}",
+                             run_.requests + 1, reader_.wanted()));
         const ssize_t count = ::read(board_, received_.data(), received_.size());
         if (count > 0)
             return ByteView(received_).first(static_cast<std::size_t>(count));

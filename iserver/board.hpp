@@ -18,7 +18,7 @@ struct Exchange {
     Answer answer;
 };
 
-/// What happened on a real board, with measured times.
+/// The result of a run on a real board, with measured times.
 struct BoardRun {
     /// The number of bytes after which exchanges are no longer noted.
     static constexpr std::size_t most_noted_bytes = 64 << 20;
@@ -31,9 +31,9 @@ struct BoardRun {
     std::vector<Exchange> exchanges = {};     ///< the first requests, usually all
 };
 
-/// Connects to a board: "tcp:HOST:PORT" is a link adapter on a network, anything else the name of a character device. A
-/// serial line or pseudo terminal then passes all bytes unchanged. Throws UserError, with the name and the reason. The
-/// result has no file if the attempt was interrupted.
+/// Connects to a board: "tcp:HOST:PORT" is a link adapter on a network; any other name is the name of a character
+/// device. A serial line or pseudo terminal is set to pass all bytes unchanged. Throws UserError, with the name and the
+/// reason. The result has no file if the attempt was interrupted.
 OpenFile connect_board(const std::string& name, const Interrupted&);
 
 /// Sends a bootable program to a board and serves its requests until the program ends. Throws UserError if the board

@@ -75,9 +75,9 @@ void Console::read_more(bool waits) {
 std::optional<std::uint8_t> Console::next_key() {
     if (read_.empty())
         return std::nullopt;
-    const auto key = static_cast<std::uint8_t>(read_.front());
+    const char key = read_.front();
     read_.erase(0, 1);
-    return key;
+    return static_cast<std::uint8_t>(key == '\n' && !is_terminal_ ? '\r' : key);
 }
 
 std::optional<std::uint8_t> Console::wait_for_key() {

@@ -9,16 +9,18 @@
 namespace placedpar::iserver {
 
 /// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Returns false
-/// if its reader has gone. Throws UserError if it cannot be written for another reason. REQUIRES: SIGPIPE is ignored.
+/// if the reader of the output has gone. Throws UserError if the text cannot be written for another reason. REQUIRES:
+/// SIGPIPE is ignored.
 bool write_to_screen(std::string_view text);
 
-/// The terminal on which PlacedPar was started, or the files and pipes that stand in for it. Keys are read as INMOS's
-/// server for Unix reads them: each at once, without echo, Enter as 13. Lines are edited and echoed by the terminal.
+/// The terminal on which PlacedPar was started, or the files and pipes that replace it. Keys are read as INMOS's server
+/// for Unix reads them: each key is read at once, without echo, and Enter is read as 13. In a file or pipe, a newline
+/// stands for Enter. Lines are edited and echoed by the terminal.
 class Console : public Terminal {
 public:
     /// While the console waits for input, it asks several times a second whether the program was interrupted. If so,
-    /// the input has ended. REQUIRES: a handler catches the signals that would end the program, or the terminal stays
-    /// as it is for keys. `unread` is called when the reader of what it writes has gone.
+    /// the input ends. REQUIRES: a handler catches the signals that would end the program; otherwise the terminal would
+    /// keep its settings for keys. `unread` is called when the reader of the output has gone.
     explicit Console(
         std::function<bool()> interrupted, int input = 0, std::function<void()> unread = [] {});
     /// Restores the terminal.
@@ -40,7 +42,7 @@ private:
     enum class Mode { as_found, keys };
 
     void set_mode(Mode);
-    /// Reads what there is. If there is nothing, waits if `waits`.
+    /// Reads the available input. If there is none and `waits` is true, waits for input.
     void read_more(bool waits);
     std::optional<std::uint8_t> next_key();
 

@@ -10,12 +10,12 @@
 
 namespace placedpar::iserver {
 
-/// Returns whether to stop waiting. It is called several times a second.
+/// A function that returns whether to stop waiting. It is called several times a second.
 using Interrupted = std::function<bool()>;
 
 enum class Wait { ready, interrupted, too_long };
 
-/// Waits until the descriptor can be read (POLLIN) or written (POLLOUT), at most for `patience` if that is given.
+/// Waits until the descriptor can be read (POLLIN) or written (POLLOUT), at most for `patience` if a patience is given.
 Wait wait_for(int descriptor, short events, const Interrupted&, std::optional<std::chrono::milliseconds> patience);
 
 /// An address "HOST:PORT" of a board on a network.
@@ -23,8 +23,8 @@ struct NetworkAddress {
     std::string host, port;
 };
 
-/// Splits "tcp:HOST:PORT" into host and port. An IPv6 address is in brackets. Throws UserError if a part is
-/// missing, or if the port is a number that no port has.
+/// Splits "tcp:HOST:PORT" into host and port. An IPv6 address is in brackets. Throws UserError if a part is missing, or
+/// if the port is a number outside the range of ports.
 NetworkAddress network_address(const std::string& name);
 
 /// Returns the addresses of a host name. Throws a UserError whose message begins with `name`.

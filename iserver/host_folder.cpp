@@ -34,7 +34,7 @@ bool is_good(std::string_view name) {
     return !has_drive && std::ranges::none_of(name, is_control_character);
 }
 
-/// Follows the folders of a name. Each is opened without following a link.
+/// Follows the folders of a name. Each folder is opened without following a link.
 Entry find_entry(const OpenFile& top, std::string_view name) {
     Entry entry{.folder = OpenFile(top ? ::fcntl(top.descriptor(), F_DUPFD_CLOEXEC, 0) : -1), .name = ""};
     if (!is_good(name))
@@ -94,7 +94,7 @@ HostFolder::HostFolder(const std::filesystem::path& folder)
 }
 
 /// Another program may replace the file between the two checks. O_NONBLOCK then prevents waiting for the other end of a
-/// pipe; it means nothing for a regular file.
+/// pipe; it has no effect on a regular file.
 OpenFile HostFolder::open(std::string_view name, OpenMode mode, bool& created) const {
     const Entry entry = find_entry(folder_, name);
     const Found found = entry.folder ? what_is(entry) : Found::other;

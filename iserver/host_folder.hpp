@@ -6,7 +6,7 @@
 
 namespace placedpar::iserver {
 
-/// A file's descriptor, which is closed at the end. A negative number means no file.
+/// Owns a file's descriptor, and closes it at the end. A negative number means no file.
 class OpenFile {
 public:
     OpenFile() = default;
@@ -22,15 +22,15 @@ private:
     int descriptor_ = -1;
 };
 
-/// How fopen() would open a file. The numbers are those of the protocol.
+/// The modes of fopen(), with their numbers in the iserver protocol.
 enum class OpenMode { read = 1, write, append, update, write_and_read, append_and_read };
 
 /// The only folder whose files a served program can reach. A name is a path below the folder, of at most 255 bytes.
 /// These names are refused: absolute names, names with "..", a drive letter or a control character, names of folders
-/// and empty names. No symbolic link is followed, neither at the end of a name nor before.
+/// and empty names. No symbolic link is followed, neither at the end of a name nor before the end.
 ///
-/// Each part of a name is opened relative to the descriptor of the folder before it, so another program on this machine
-/// that exchanges a folder for a link at the same time changes nothing. Rejected: resolving a name to a path and
+/// Each part of a name is opened relative to the descriptor of the folder before it, so another program that replaces a
+/// folder by a link at the same time cannot lead the server out of the folder. Rejected: resolving a name to a path and
 /// checking whether the path begins with the folder.
 class HostFolder {
 public:

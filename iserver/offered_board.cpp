@@ -67,7 +67,8 @@ void OfferedBoard::listen(const std::string& where) {
     name_ = "tcp:" + address_of(listener_);
 }
 
-/// Opens and closes the other end of the pseudo terminal, too: from then on the system says whether a program has it.
+/// Opens and closes the other end of the pseudo terminal, too: from then on the system tells whether a program has the
+/// terminal open.
 void OfferedBoard::open_terminal() {
     link_ = OpenFile(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     std::array<char, 64> name{};
@@ -88,7 +89,7 @@ bool OfferedBoard::wait_for_program() {
         if (wait_for(listener_.descriptor(), POLLIN, interrupted_, std::nullopt) == Wait::interrupted)
             return false;
         link_ = OpenFile(::accept4(listener_.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC));
-        const int at_once = 1; // replies are waited for
+        const int at_once = 1; // the program waits for each reply
         ::setsockopt(link_.descriptor(), IPPROTO_TCP, TCP_NODELAY, &at_once, sizeof at_once);
         return true;
     }

@@ -17,7 +17,7 @@ public:
     /// UserError, with the place and the reason.
     OfferedBoard(const std::string& where, Interrupted);
 
-    /// Returns the name that connect_board() takes: "tcp:127.0.0.1:5000", "/dev/pts/3".
+    /// Returns the name that connect_board() takes, such as "tcp:127.0.0.1:5000" or "/dev/pts/3".
     const std::string& name() const { return name_; }
     /// Waits for a program that connects. Returns false after an interruption.
     bool wait_for_program();

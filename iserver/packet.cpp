@@ -35,11 +35,12 @@ void PacketReader::check_length() {
         refusal_ = "the program's first request is of the older AFserver (alien file server) protocol; "
                    "only programs for iserver can be served";
     else if (length < shortest_data || length > longest_data || length % 2 != 0)
-        refusal_ = fmt::format("request {} to the host has the length {}; a length must be even, and from {} to {}{}",
-                               complete_ + 1, length, shortest_data, longest_data,
-                               length > longest_data && length <= longest_of_later_servers && length % 2 == 0
-                                   ? ": the host serves version 1.0 of the protocol, which has no longer requests"
-                                   : "");
+        refusal_ =
+            fmt::format("request {} to the host has the length {}; a length must be even, and from {} to {}{}",
+                        complete_ + 1, length, shortest_data, longest_data,
+                        length > longest_data && length <= longest_of_later_servers && length % 2 == 0
+                            ? ": the host serves version 1.0 of the protocol, which has no requests of this length"
+                            : "");
 }
 
 ByteView RequestFields::front(std::size_t bytes) {

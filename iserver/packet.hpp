@@ -11,7 +11,8 @@
 namespace placedpar::iserver {
 
 /// The packets of the iserver protocol: a length of 16 bits, and that number of bytes. A request is a tag and fields, a
-/// reply is a result and fields. The low byte of a number comes first. A text is its length in 16 bits and its bytes.
+/// reply is a result and fields. The low byte of a number comes first. A text consists of its length in 16 bits and its
+/// bytes.
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 

@@ -43,8 +43,8 @@ namespace {
 
 void require_fit(std::string_view what, const std::string& text) {
     if (text.size() > longest_reply_text)
-        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server can hold {}", what, text.size(),
-                                    longest_reply_text));
+        throw UserError(fmt::format("{} has {} bytes; a reply of the host's server can hold at most {}", what,
+                                    text.size(), longest_reply_text));
 }
 
 std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_text); }
@@ -52,7 +52,7 @@ std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_te
 Reply failure() { return Reply(Result::failed); }
 Reply success() { return Reply(Result::success); }
 
-/// Succeeds if there was an error.
+/// Replies with the last error of a stream. The request succeeds if there was an error.
 Reply error_of(const Stream& stream) {
     if (stream.error() == 0)
         return failure();
@@ -201,7 +201,7 @@ Reply Server::poll_key() {
     return key ? success().byte(*key) : failure();
 }
 
-/// Replies local and universal time. They are the same: the host's time zone must not change a run.
+/// Replies with local time and universal time. The two are equal: the host's time zone must not change a run.
 Reply Server::time() const {
     const auto now = std::chrono::floor<std::chrono::seconds>(options_.date + since_start_).time_since_epoch().count();
     return success().word(static_cast<std::int32_t>(now)).word(static_cast<std::int32_t>(now));

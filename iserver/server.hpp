@@ -17,7 +17,7 @@ struct ServerOptions {
     std::filesystem::path host_folder = ""; ///< "": no file can be opened
     std::string command_line = "";          ///< the program's own arguments
     std::string whole_command_line = "";    ///< command line of the program, with the server's options
-    /// All that a program can ask for. INMOS's tools ask for IBOARDSIZE, IDEBUGSIZE and ISEARCH.
+    /// All variables that a program can ask for. INMOS's tools ask for IBOARDSIZE, IDEBUGSIZE and ISEARCH.
     std::map<std::string, std::string, std::less<>> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
     std::chrono::sys_seconds date = std::chrono::sys_days(std::chrono::year(1991) / 1 / 1); ///< when the run begins
@@ -29,7 +29,7 @@ enum class RequestTag : std::uint8_t; // server.cpp
 enum class ServerState {
     running,
     exited,         ///< the program has ended
-    waits_for_input ///< the program waits for a key or a line, and none will come
+    waits_for_input ///< the program waits for a key or a line, but no more input will come
 };
 
 struct Answer {
@@ -39,16 +39,17 @@ struct Answer {
 };
 
 /// The host of a transputer program: answers the requests of the iserver protocol, as INMOS's server does. The program
-/// reaches the files of one folder, the terminal, and nothing else of the host. Any bytes are a possible request.
+/// reaches the files of one folder, the terminal, and nothing else of the host. A request may consist of any bytes.
 ///
 /// These answers differ from the answers of INMOS's server. No command of the host is executed. The date is the date of
 /// the options, plus the time since the start. The server claims to be version 1.0: from version 1.4 on, packets may
 /// have 1024 bytes, and a program may rely on that.
 class Server {
 public:
-    /// A program that polls the keyboard this often in a row, without another request, waits for a key.
+    /// A program that polls the keyboard this often in a row, without another request, counts as waiting for a key.
     static constexpr std::size_t most_polls = 100'000;
-    /// A program that makes this number of requests for stream 0 after its end waits for a line.
+    /// A program that makes this number of requests for stream 0 after the end of this stream counts as waiting for a
+    /// line.
     static constexpr std::size_t most_requests_at_end = 1000;
 
     /// Throws UserError if the host's folder cannot be opened, or if a text of the options is too long for a reply.
@@ -62,7 +63,7 @@ public:
     Answer answer(ByteView request, std::chrono::microseconds since_start);
     /// Completes the output on the terminal. Call it once a run has ended, for whatever reason.
     void finish();
-    /// Returns whether the program has polled for a key after the last one.
+    /// Returns whether the program has polled for a key after the last key.
     bool was_out_of_keys() const { return was_out_of_keys_; }
     /// Returns whether output was lost because of the write limit.
     bool exceeded_write_limit() const { return quota_.exceeded(); }
@@ -87,7 +88,7 @@ private:
     std::int32_t exit_ = 0;
     std::chrono::microseconds since_start_{};
     bool was_out_of_keys_ = false;
-    std::size_t polls_ = 0;  ///< polls in a row, without a key that may come
+    std::size_t polls_ = 0;  ///< polls in a row after the last key
     std::size_t at_end_ = 0; ///< requests for stream 0 since it ended
 };
 

@@ -127,7 +127,7 @@ std::string TerminalInput::front(std::size_t most) {
     return front;
 }
 
-/// A person expects an answer to each line, so later lines are not waited for.
+/// A person expects an answer to each line, so the function does not wait for later lines.
 std::string TerminalInput::read(std::size_t most) {
     std::string bytes = front(most);
     while (!terminal_.is_interactive() && !at_end_ && bytes.size() < most)

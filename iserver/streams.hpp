@@ -21,8 +21,8 @@ public:
     static constexpr std::uint64_t new_file = 4096;
 
     explicit WriteQuota(std::uint64_t bytes) : left_(bytes) {}
-    /// Takes up to `bytes`, and the whole `gap` before them. Returns how many of `bytes` it took. If this is 0, takes
-    /// nothing of the gap either.
+    /// Takes the whole `gap`, and up to `bytes` more. Returns how many of `bytes` were taken. If none of them can be
+    /// taken, takes nothing of the gap, either.
     std::uint64_t take(std::uint64_t bytes, std::uint64_t gap = 0);
     /// Returns whether a program asked for more than was left.
     bool exceeded() const { return exceeded_; }
@@ -37,15 +37,15 @@ class Stream {
 public:
     virtual ~Stream() = default;
 
-    /// Returns up to `most` bytes; fewer at the end, and where a person has typed a line.
+    /// Returns up to `most` bytes; fewer at the end of the stream, and after a line that a person typed.
     virtual std::string read(std::size_t most) = 0;
     /// Returns up to `most` bytes of the next line, without its newline. Returns nullopt at the end.
     virtual std::optional<std::string> line(std::size_t most) = 0;
-    /// Returns how many bytes were written.
+    /// Writes the bytes. Returns how many of them were written.
     virtual std::size_t write(std::string_view) = 0;
     /// Seeks from the start (1), the current position (2) or the end (3). Returns whether this succeeded.
     virtual bool seek(std::int32_t, std::int32_t) { return false; }
-    /// Returns the position; nullopt if there is none, or if it does not fit.
+    /// Returns the position; nullopt if there is none, or if it does not fit into 32 bits.
     virtual std::optional<std::int32_t> tell() { return std::nullopt; }
     virtual bool is_terminal() const { return false; }
 
@@ -59,10 +59,10 @@ protected:
     int error_ = 0;
 };
 
-/// The streams of a program: 0, 1 and 2 are the terminal's input and output, others are files.
+/// The streams of a program: 0, 1 and 2 are the terminal's input and output, the others are files.
 class Streams {
 public:
-    static constexpr std::size_t most = 256; ///< streams, with those of the terminal
+    static constexpr std::size_t most = 256; ///< number of streams, including the terminal's streams
 
     /// REQUIRES: the arguments outlive this object.
     Streams(const HostFolder&, Terminal&, VisibleText&, WriteQuota&);
@@ -71,7 +71,7 @@ public:
     std::optional<std::int32_t> open(std::string_view name, OpenMode);
     /// Closes a file, or returns false if there is none. The streams of the terminal stay open.
     bool close(std::int32_t number);
-    /// Returns null if no stream has this number.
+    /// Returns the stream of this number; null if there is none.
     Stream* find(std::int32_t number);
 
 private:

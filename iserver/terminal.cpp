@@ -20,7 +20,7 @@ bool is_plain(char c) {
     return (c >= ' ' && c <= '~') || std::string_view("\n\r\t\b\a").find(c) != std::string_view::npos;
 }
 
-/// Judges the bytes of an escape sequence: `ESC [`, numbers with semicolons, and a letter.
+/// Classifies the bytes of an escape sequence: `ESC [`, numbers with semicolons, and a letter.
 Piece sequence_of(std::string_view bytes) {
     if (bytes.size() == 1)
         return Piece::begun;
@@ -33,7 +33,7 @@ Piece sequence_of(std::string_view bytes) {
                                                                                            : Piece::wrong;
 }
 
-/// Judges the bytes of a character of UTF-8 that is not ASCII. The control characters from 0x80 on are wrong.
+/// Classifies the bytes of a character of UTF-8 that is not ASCII. The control characters from 0x80 on are wrong.
 Piece character_of(std::string_view bytes) {
     const Utf8Character character = first_character(bytes);
     if (character.bytes > 0)

@@ -28,7 +28,7 @@ public:
     virtual bool is_interactive() const = 0;
 };
 
-/// A terminal whose keys were all written down before. Keys and lines are taken from the same text.
+/// A terminal whose keys are all given in advance. Keys and lines are taken from the same text.
 class ScriptedTerminal : public Terminal {
 public:
     ScriptedTerminal(std::string keys, std::function<void(std::string_view)> screen)

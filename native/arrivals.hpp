@@ -5,7 +5,8 @@
 
 namespace placedpar::native {
 
-/// A message to a kernel. It is in at most one inbox at a time, so it needs no memory of its own.
+/// A message to a kernel. It is in at most one inbox at a time, so an inbox can link its messages without allocating
+/// memory.
 class Arrival {
 public:
     Arrival() = default;
@@ -33,7 +34,7 @@ public:
         while (!newest_.compare_exchange_weak(arrival.next_, &arrival)) {
         }
     }
-    /// Lets each message arrive that has been posted before the call.
+    /// Calls arrive() for each message that was posted before this call.
     void take() noexcept {
         if (empty())
             return;

@@ -5,9 +5,10 @@
 
 namespace placedpar::native {
 
-void Crossing::Giver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
+void Crossing::Giver::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
     Process& self = Kernel::here().running();
     c.outputter_ = &self;
+    c.offered_bytes_ = static_cast<std::uint64_t>(form.total());
     offer_and_wait(self, channel, where, [this] {
         c.offer_ = Offer::made;
         if (!c.is_posted_.exchange(true))
@@ -24,6 +25,7 @@ bool Crossing::Giver::give_up_output(AnyChannel&) {
 }
 
 void Crossing::Taken::arrive() noexcept {
+    c.sent_.add(c.offered_bytes_);
     c.output_.tell_taken_elsewhere();
     c.outputter_->kernel().make_ready(*c.outputter_);
 }

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "native/group.hpp"
+#include "native/run_parts.hpp"
 #include "runtime/carrier.hpp"
 #include "runtime/channel.hpp"
 
 #include <atomic>
+#include <cstdint>
 
 namespace placedpar::native {
 
@@ -30,6 +32,8 @@ public:
 
     AnyChannel& outputters_half() const { return output_; }
     AnyChannel& inputters_half() const { return input_; }
+    /// Returns the messages that the inputter has taken. REQUIRES: the outputter's kernel has stopped.
+    const Traffic& sent() const { return sent_; }
 
 private:
     enum class Offer { none, made, taken };
@@ -79,6 +83,8 @@ private:
     std::atomic<bool> is_posted_{false}; ///< `offered_` is in the inbox
     bool is_kept_ = false;               ///< an ALT has claimed the message; used by the inputter's kernel
     Process* outputter_ = nullptr;       ///< the waiting process; used by the outputter's kernel
+    std::uint64_t offered_bytes_ = 0;    ///< size of the offered message; used by the outputter's kernel
+    Traffic sent_;                       ///< used by the outputter's kernel
     Process* inputter_ = nullptr;        ///< the waiting process; used by the inputter's kernel
 };
 

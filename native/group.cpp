@@ -33,7 +33,8 @@ void Group::wake_all() {
         member.woken_.notify_one();
 }
 
-/// Counts, and tells all kernels, if no kernel has anything to do. A kernel that has not heard of the last time has.
+/// If no kernel has anything to do, counts this and tells all kernels. A kernel that has not yet heard of the last time
+/// counts as busy.
 void Group::note_if_quiet() {
     const bool is_quiet = std::ranges::all_of(members_, [&](const Member& member) {
         return member.state_ == Member::State::stopped ||
@@ -58,7 +59,7 @@ void Member::post(Arrival& arrival) {
 
 /// Looks for messages for a short time. Returns whether the kernel has something to do.
 bool Member::comes_soon(Time due) const {
-    static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
+    static const unsigned cores = std::thread::hardware_concurrency(); // this call takes microseconds
     const bool has_core = group_.size() <= cores;
     const Time until = std::min(due, now() + (has_core ? most_patience : Time{0}));
     do {
@@ -99,7 +100,7 @@ Surroundings::Rest Member::rest(Time due, bool awaits_end) {
     return Rest::quiet;
 }
 
-/// Waits until all kernels have arrived at a point of the end of the run.
+/// Waits until all kernels have reached a certain point at the end of the run.
 void Group::wait_for_all(std::unique_lock<std::mutex>& lock, std::size_t& arrived) {
     if (++arrived == members_.size())
         at_the_end_.notify_all();

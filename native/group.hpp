@@ -52,7 +52,7 @@ private:
     Simulation& simulation_;
     Inbox inbox_;
     std::atomic<bool> sleeps_{false}; ///< a message must wake the thread
-    // The mutex of the group guards these.
+    // The mutex of the group guards the next members.
     State state_ = State::awake;
     bool awaits_end_ = false;
     std::uint64_t quiet_heard_ = 0; ///< number of times that the kernel has learnt that all kernels were quiet
@@ -64,9 +64,10 @@ private:
 
 /// The kernels of a native run, one for each thread. Detects when none of them has anything to do.
 ///
-/// A kernel sleeps under one mutex, and only if its inbox is empty. If all kernels sleep without a time to wake, or
-/// have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that posts a message is awake
-/// until it has posted. So the last kernel that goes to sleep detects at once that the work is over.
+/// All kernels use one mutex to go to sleep, and a kernel sleeps only if its inbox is empty. If all kernels sleep
+/// without a time to wake, or have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that
+/// posts a message is awake until it has posted. So the last kernel that goes to sleep detects at once that the work is
+/// over.
 class Group {
 public:
     Group() : begun_(std::chrono::steady_clock::now()) {}

@@ -87,9 +87,11 @@ private:
     void cross(std::size_t channel) {
         const NetworkChannel& c = network_.channels[channel];
         const std::size_t from = thread_of(c.from.process), to = thread_of(c.to.process);
-        if (from != to)
-            crossings_.emplace_back(strands_[from].software->channel(channel), group_.member(from),
-                                    strands_[to].software->channel(channel), group_.member(to));
+        if (from == to)
+            return;
+        crossings_.emplace_back(strands_[from].software->channel(channel), group_.member(from),
+                                strands_[to].software->channel(channel), group_.member(to));
+        ends_of_crossings_.emplace_back(from, to);
     }
 
     void start_processes() {
@@ -114,15 +116,15 @@ private:
         gate_.notify_all();
     }
 
-    /// Starts all threads. No thread begins its part before all threads exist, because each waits for the others at its
-    /// end.
+    /// Starts all threads. No thread begins its part before all threads exist, because each thread waits for the other
+    /// threads at its end.
     void start(std::vector<std::jthread>& threads) {
         try {
             for (Strand& strand : strands_)
                 threads.emplace_back([&] { execute(strand); });
         } catch (const std::system_error& refused) {
             set_gate(Gate::cancelled);
-            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number of --threads",
+            throw UserError(fmt::format("thread {} of {} cannot be started: {}: give a smaller number to --threads",
                                         threads.size() + 1, strands_.size(), refused.code().message()));
         } catch (...) {
             set_gate(Gate::cancelled);
@@ -183,6 +185,12 @@ private:
         for (std::size_t i = 0; i < strands_.size(); ++i)
             parts.push_back({std::move(*strands_[i].result), strands_[i].software->measurements(),
                              std::move(strands_[i].waited), group_.member(i).rested()});
+        auto ends = ends_of_crossings_.begin();
+        for (const Crossing& crossing : crossings_) {
+            const auto [from, to] = *ends++;
+            parts[from].sent.resize(parts.size());
+            parts[from].sent[to].add(crossing.sent());
+        }
         return join_parts(network_, thread_of_node_, "thread", std::move(parts));
     }
 
@@ -192,10 +200,11 @@ private:
     NativeTrace* trace_;
     Group group_;
     std::list<Crossing> crossings_;
+    std::vector<std::pair<std::size_t, std::size_t>> ends_of_crossings_; ///< threads: from, to
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;
-    std::size_t running_ = strands_.size(); ///< threads
+    std::size_t running_ = strands_.size(); ///< number of threads that have not ended
 };
 
 } // namespace

@@ -60,8 +60,8 @@ private:
         return end.at_edge() ? "" : network.processes[end.process].name;
     }
 
-    /// A channel of the netlist has the same number on all places. Other channels are local to a place; two places may
-    /// have local channels with the same name.
+    /// Makes a place, and numbers its channels. A channel of the netlist has the same number on all places. Other
+    /// channels are local to a place; two places may have local channels with the same name.
     Place place_with(const Notices& notices, std::string name) {
         Place place{notices, std::move(name), {}};
         for (const std::string& channel : notices.channels)
@@ -86,7 +86,8 @@ private:
             tell_message(place, notice);
     }
 
-    /// While a process has its turn, it is shown as computing, because no other process uses the thread.
+    /// Passes on a change of activity. While a process has its turn, it is shown as computing, because no other process
+    /// uses the thread.
     void tell_turn(const Place& place, const Notice& notice) const {
         Activity activity = static_cast<Activity>(notice.activity);
         std::vector<AwaitedByProgram> awaited;

@@ -14,7 +14,8 @@ namespace placedpar {
 /// trace sink.
 class NativeTrace {
 public:
-    /// The most notices of a run: our choice, 200 Mbyte of memory. A wait makes two notices, and so does a message.
+    /// The largest number of notices of a run (our choice: 200 Mbyte of memory). Each wait and each message makes two
+    /// notices.
     static constexpr std::size_t most_notices = 8'000'000;
 
     /// Records nothing after `until`, and at most `most` notices of a run.
@@ -22,10 +23,10 @@ public:
 
     // The next three functions are called by the functions that make native runs.
     Time until() const { return until_; }
-    /// Returns the most notices of each thread or rank.
+    /// Returns the largest number of notices of each thread or rank.
     std::size_t most_of(std::size_t places) const { return most_ / places; }
-    /// `noun` is the word for one of them, "thread" or "rank". REQUIRES: the times of all notices are of the same
-    /// clock.
+    /// Stores the notices of all threads or ranks. `noun` is "thread" or "rank". REQUIRES: the times of all notices are
+    /// of the same clock.
     void set(std::string noun, std::vector<native::Notices>);
 
     /// Passes everything to the sink, in order of time. The sink sees the processes by name, on processors "thread 0",
@@ -44,7 +45,7 @@ private:
     std::vector<native::Notices> of_places_;
 };
 
-/// Returns the network of a native run: its threads or ranks stand in place of the nodes, without any wires. `run`: the
+/// Returns the network of a native run: its threads or ranks take the place of the nodes, without any wires. `run`: the
 /// report of the run.
 Network with_places(Network, const RunReport& run);
 

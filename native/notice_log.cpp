@@ -28,7 +28,8 @@ Time NoticeLog::later_than_last(Time now) {
     return last_ = std::max(now, last_ + shortest);
 }
 
-/// The kernel reads the clock when a wait begins or ends. While a process runs, the kernel's time stands still.
+/// Returns the present time of the wall clock. The kernel's own time stands still while a process runs, because the
+/// kernel reads the clock only when a wait begins or ends.
 Time NoticeLog::read_clock() { return later_than_last(kernel_.surroundings()->now()); }
 
 void NoticeLog::add(Notice notice) {

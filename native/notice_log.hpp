@@ -15,8 +15,8 @@
 
 namespace placedpar::native {
 
-/// One record: a process changes its activity, or does its part of a communication. The numbers are positions in the
-/// tables of Notices.
+/// A record of one event: a process changes its activity, or does its part of a communication. The numbers are
+/// positions in the tables of Notices.
 struct Notice {
     enum class Kind : std::uint8_t {
         turn,
@@ -29,7 +29,7 @@ struct Notice {
     std::uint32_t process;
     std::uint32_t subject = 0; ///< the list of awaited channels, or the channel of a message
     std::uint32_t number =
-        0; ///< number of the message among those that this kernel's processes output or input on the channel
+        0; ///< number of the message among the messages that this kernel's processes output or input on the channel
     Kind kind = Kind::turn;
     std::uint8_t activity; ///< an Activity; outputting or inputting for a message
     bool awaits_timer = false;

@@ -8,8 +8,8 @@ namespace placedpar::native {
 
 /// Offers the outputter's message to another kernel by the function `offer`, and waits until it has been taken. If the
 /// run is recorded, the wait begins before the offer; otherwise the record could show that the message was taken before
-/// its output began. If the run is not recorded, the offer comes first, so that the other kernel need not wait for the
-/// reading of the clock.
+/// its output began. If the run is not recorded, the offer comes first, so that the other kernel need not wait until
+/// the clock has been read.
 template <class Offer>
 void offer_and_wait(Process& self, const AnyChannel& channel, const SourceLocation& where, Offer offer) {
     if (!self.kernel().trace()) {

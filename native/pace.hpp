@@ -19,13 +19,13 @@ class Kernel;
 namespace placedpar::native {
 
 /// Executes the processes of one kernel of a native run at the pace of the netlist's processors: a computation takes
-/// the time that its cycles take on the process's processor, divided by the pace. The kernel waits for its end, so
-/// processes of other processors go on meanwhile. The computation itself is part of this time. If a process computes
-/// repeatedly without a wait, lateness does not accumulate.
+/// the time that its cycles take on the process's processor, divided by the pace. The kernel waits until this time is
+/// over, so processes of other processors continue meanwhile. The time that the computation really takes on this
+/// computer is part of it. If a process computes repeatedly without a wait, lateness does not accumulate.
 ///
-/// A processor does one computation at a time, in the order in which they begin; meanwhile its other processes can
-/// communicate. Channels, PAR, ALT and timers are not slowed down. All processors of a kernel are one executive, so
-/// that channels between them need no carrier.
+/// A processor does one computation at a time, in the order in which its processes begin them. Meanwhile its other
+/// processes can communicate. Channels, PAR, ALT and timers are not slowed down. All processors of a kernel are one
+/// executive, so that channels between these processors need no carrier.
 class Pace final : public Executive {
 public:
     /// REQUIRES: pace > 0; the kernel outlives this object.

@@ -120,7 +120,7 @@ public:
     }
 
 private:
-    /// The halves of a channel. If both processes are on one thread, only the first is used.
+    /// The halves of a channel. If both processes are on one thread, only the first half is used.
     struct Halves {
         Channel<Ball> output, input;
         explicit Halves(const char* name) : output(name), input(name) {}
@@ -134,7 +134,7 @@ private:
     std::list<Crossing> crossings_;
 };
 
-/// Runs two processes on one kernel that alternate, and returns the time of a switch.
+/// Runs two alternating processes on one kernel, and returns the time of a switch.
 double run_switches(Simulation& simulation, long times) {
     Batches switches(size_of_batch(times));
     simulation.process("one", [&] {
@@ -152,7 +152,7 @@ double run_switches(Simulation& simulation, long times) {
     return switches.median() / 2; // to the other process and back
 }
 
-/// Rank 0 tells rank 1 this after the last match.
+/// The text that rank 0 sends to rank 1 after the last measurement.
 constexpr const char* no_more = "no more";
 
 std::string text_of(const PingPong& match) { return fmt::format("{} {} {}", match.kernels, match.times, match.bytes); }
@@ -200,8 +200,8 @@ RankMatches::RankMatches(Ranks& ranks) : ranks_(ranks), mail_(ranks.open_mail())
 
 RankMatches::~RankMatches() { ranks_.send(1, no_more); }
 
-/// Begins a measurement. Returns when rank 1 has finished the previous measurement; otherwise that measurement could
-/// take letters of the new one.
+/// Begins a measurement. Returns when rank 1 has finished the previous measurement; otherwise the previous measurement
+/// could take letters of the new measurement.
 void RankMatches::announce(const PingPong& match) {
     ranks_.send(1, text_of(match));
     wait_for_message(ranks_);

@@ -12,7 +12,7 @@ class Ranks;    // ranks/ranks.hpp
 
 namespace placedpar::native {
 
-/// Two processes that send a message there and back over and over.
+/// Two processes that send a message back and forth many times.
 struct PingPong {
     std::size_t kernels = 2; ///< 1: both processes are on one kernel
     long times = 1000;       ///< at least 1
@@ -21,8 +21,8 @@ struct PingPong {
 };
 
 /// Runs the two processes natively on threads. Returns the time for a message there and back, without the pauses, in
-/// nanoseconds. It is the median of batches of messages, since other programs on the computer can make some of them
-/// take much longer.
+/// nanoseconds. The result is the median of batches of messages, because other programs on the computer can make some
+/// batches take much longer.
 double nanoseconds_there_and_back(const PingPong&);
 
 /// Returns the time of a switch from one process to another on a kernel, in nanoseconds: the median of batches of

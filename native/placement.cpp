@@ -96,9 +96,10 @@ void require_enough_nodes(const Network& network, std::size_t ranks) {
     if (ranks <= most)
         return;
     if (most == 0)
-        throw UserError(fmt::format("{}: no processor has a process, so {} ranks have nothing to share: start it "
-                                    "without mpirun, or predict it without --ranks",
-                                    network.source_path, ranks));
+        throw UserError(
+            fmt::format("{}: no processor has a process, so {} ranks have nothing to share: run the netlist "
+                        "without mpirun, or predict it without --ranks",
+                        network.source_path, ranks));
     throw UserError(fmt::format("{}: there are {} ranks, but only {} processes: start at most {}", network.source_path,
                                 ranks, counted(most, "processor has", "processors have"), counted(most, "rank")));
 }

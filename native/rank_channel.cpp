@@ -21,11 +21,13 @@ void require_length(const MessageBytes& packed) {
 
 } // namespace
 
-void RankGiver::output(AnyChannel& channel, const WireForm&, const SourceLocation& where) {
+void RankGiver::output(AnyChannel& channel, const WireForm& form, const SourceLocation& where) {
+    bytes_ = static_cast<std::uint64_t>(form.total());
     packed_.clear();
     channel.pack_message(packed_);
     require_length(packed_);
     if (std::exchange(is_awaited_, false)) {
+        sent_.add(bytes_);
         channel.tell_taken_elsewhere();
         return member_.send_message(to_, number_, packed_);
     }
@@ -38,6 +40,7 @@ void RankGiver::taker_came() {
     is_awaited_ = !waiting;
     if (!waiting)
         return;
+    sent_.add(bytes_);
     channel_.tell_taken_elsewhere();
     waiting->kernel().make_ready(*waiting);
 }
@@ -95,7 +98,7 @@ void RankTaker::wake() {
 
 void RankTaker::add(Offer::State state, std::span<const std::uint8_t> packed, std::size_t bytes) {
     if (count_ == offers_.size())
-        throw NoMessage("it has a message that no process can have sent yet");
+        throw NoMessage("it contains a message that no process can have sent yet");
     Offer& offer = offers_[(first_ + count_++) % offers_.size()];
     offer.packed.assign(packed.begin(), packed.end());
     offer.bytes = bytes;

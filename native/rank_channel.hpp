@@ -1,6 +1,7 @@
 #pragma once
 
 #include "native/rank_member.hpp"
+#include "native/run_parts.hpp"
 #include "runtime/carrier.hpp"
 #include "runtime/channel.hpp"
 
@@ -16,9 +17,9 @@ namespace placedpar::native {
 ///
 /// 1. The outputter sends its message, and waits.
 /// 2. The inputter's end replies that a taker has come, as soon as it is certain that the next message will be taken.
-///    If a process is already inputting, it replies before the message arrives, otherwise afterwards. So a message that
-///    an ALT does not take remains.
-/// 3. For each process, the communication ends when it has sent its part and received the other process's part.
+///    If a process is already inputting, the inputter's end replies before the message arrives, otherwise afterwards.
+///    So a message that an ALT does not take remains available.
+/// 3. The communication of each process ends when this process has sent its part and received the other process's part.
 ///
 /// So the communication is synchronous and each process sends one letter for it. A message too long for a letter is
 /// announced, and is sent as a parcel when it is input.
@@ -34,9 +35,13 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override {}
     bool message_waits(const AnyChannel&) const override { return false; }
-    /// Returns the reason. It throws UserError, because the user decides on which ranks processes are placed.
+    /// Throws UserError instead of returning the reason, because the user decides on which ranks processes are placed.
     std::string why_not_given_up() const override;
     void taker_came() override;
+
+    int to() const { return to_; }
+    /// Returns the messages that the inputter has taken.
+    const Traffic& sent() const { return sent_; }
 
 private:
     RankMember& member_;
@@ -46,6 +51,8 @@ private:
     bool is_awaited_ = false; ///< the reply came before the message
     Process* outputter_ = nullptr;
     MessageBytes packed_;
+    std::uint64_t bytes_ = 0; ///< of the current message, on a link
+    Traffic sent_;
 };
 
 /// The inputter's end of a channel between two ranks: see RankGiver.

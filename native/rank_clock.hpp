@@ -18,18 +18,18 @@ using Reading = std::chrono::nanoseconds;
 
 Reading read_clock();
 
-/// The clock of a rank, compared with that of rank 0.
+/// The clock of a rank, compared with the clock of rank 0.
 struct ComparedClock {
-    Reading at{};    ///< when, by rank 0's clock
+    Reading at{};    ///< time of the comparison, by rank 0's clock
     Reading ahead{}; ///< how far the rank's clock is ahead of rank 0's clock
-    Reading error{}; ///< `ahead` is off by at most this
+    Reading error{}; ///< upper bound for the error of `ahead`
 };
 
-/// Compares the clocks of all ranks with that of rank 0. Rank 0 asks each rank for its clock many times and uses the
-/// exchange that took the shortest time. The clock was read at some moment of this exchange, so the error is at most
-/// half of its time: F. Cristian, Probabilistic clock synchronization, Distributed Computing 3 (1989), pages 146-158.
-/// All ranks return at nearly the same time. Returns the clocks by rank in rank 0, and nothing in the other ranks.
-/// REQUIRES: called in all ranks, and no other text is under way between the ranks.
+/// Compares the clocks of all ranks with the clock of rank 0. Rank 0 asks each rank for its clock many times and uses
+/// the exchange that took the shortest time. The clock was read at some moment of this exchange, so the error is at
+/// most half of the exchange's duration: F. Cristian, Probabilistic clock synchronization, Distributed Computing 3
+/// (1989), pages 146-158. All ranks return at nearly the same time. Returns the clocks by rank in rank 0, and nothing
+/// in the other ranks. REQUIRES: called in all ranks, and no other text is under way between the ranks.
 std::vector<ComparedClock> compare_clocks(Ranks&);
 
 /// Converts the times of all ranks to the clock of rank 0, counted from the moment at which the first rank began.

@@ -129,7 +129,7 @@ bool RankMember::handle_at_once(const RankLetter& letter) {
         return true;
     case Kind::note: mail_.expect_parcel(letter.from, note_parcel, PackedForm<std::uint64_t>::read(from)); return true;
     }
-    throw NoMessage("messages of this kind do not exist");
+    throw NoMessage("its kind of message does not exist");
 }
 
 /// Passes a letter to the end of its channel.
@@ -189,7 +189,7 @@ void RankMember::handle_held() {
 
 void RankMember::take_arrivals() noexcept {
     if (held_ || held_parcel_)
-        return handle_held(); // rest() has just looked
+        return handle_held(); // rest() has just looked for messages
     while (fetch())
         handle_held();
 }
@@ -221,7 +221,7 @@ void RankMember::heed(QuietDetection::Verdict verdict) {
 
 /// Returns the time for which a rank checks for messages without a pause; 0 unless each rank has a core.
 Time RankMember::patience() const {
-    static const unsigned cores = std::thread::hardware_concurrency(); // it takes microseconds to ask
+    static const unsigned cores = std::thread::hardware_concurrency(); // this call takes microseconds
     return static_cast<unsigned>(mail_.count_here()) <= cores ? most_patience_of_rank : Time{0};
 }
 

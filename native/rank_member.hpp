@@ -53,7 +53,7 @@ public:
     void send_taker(int to, std::size_t channel);
     void expect_parcel(int from, std::size_t channel, std::size_t bytes);
 
-    /// Sends a note to rank 0, which is a message that no process receives.
+    /// Sends a note to rank 0. A note is a message that no process receives.
     void send_note(MessageBytes);
     /// Sets the function that receives the notes to this rank. The notes of one rank arrive in the order in which they
     /// were sent.
@@ -108,7 +108,7 @@ private:
     std::function<void()> before_reports_ = [] {};
     std::optional<RankLetter> held_; ///< a letter for a process, kept until take_arrivals() is called
     std::optional<RankParcel> held_parcel_;
-    MessageBytes letter_; ///< memory of the letter that is written
+    MessageBytes letter_; ///< memory for the letter that is being written
     std::uint64_t sent_ = 0, received_ = 0;
     QuietDetection detection_; ///< used by rank 0
     bool is_asked_ = false;    ///< this rank has not yet answered a question of rank 0

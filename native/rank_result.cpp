@@ -25,9 +25,12 @@ template <>
 struct PackedForm<RunResult>
     : PackedMembers<RunResult, &RunResult::ending, &RunResult::time, &RunResult::deadlock, &RunResult::never_ran> {};
 template <>
+struct PackedForm<native::Traffic>
+    : PackedMembers<native::Traffic, &native::Traffic::messages, &native::Traffic::bytes> {};
+template <>
 struct PackedForm<native::RunPart>
     : PackedMembers<native::RunPart, &native::RunPart::result, &native::RunPart::measurements, &native::RunPart::waited,
-                    &native::RunPart::rested> {};
+                    &native::RunPart::rested, &native::RunPart::sent> {};
 template <>
 struct PackedForm<native::RankFailure> : PackedMembers<native::RankFailure, &native::RankFailure::time,
                                                        &native::RankFailure::is_defect, &native::RankFailure::text> {};

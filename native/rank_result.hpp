@@ -30,10 +30,11 @@ struct RankResult {
 };
 
 MessageBytes packed(const RankResult&);
-/// Throws NoMessage.
+/// Unpacks a result. Throws NoMessage if the bytes are not a packed result.
 RankResult rank_result_from(std::span<const std::uint8_t>);
 
-/// Joins the deadlocks of all ranks into one, with the wait cycle over ranks; nothing if no rank is stuck.
+/// Joins the deadlocks of all ranks into one, and finds a wait cycle that leads over several ranks. Returns nothing if
+/// no rank is stuck.
 std::optional<Deadlock> join_deadlocks(const std::vector<RankResult>&, const Network&);
 
 } // namespace placedpar::native

@@ -129,7 +129,7 @@ private:
         return log_ ? compare_clocks(ranks_) : std::vector<ComparedClock>{};
     }
 
-    /// Gives a channel to or from another rank its carrier.
+    /// Puts a channel that leads to or from another rank on its carrier.
     void lead(std::size_t number) {
         const NetworkChannel& declared = network_.channels[number];
         if (declared.from.at_edge() || declared.to.at_edge())
@@ -196,6 +196,9 @@ private:
         own.part.measurements = software_->measurements();
         own.part.rested = member_.rested();
         own.part.waited.resize(network_.processes.size());
+        own.part.sent.resize(results_.size());
+        for (const RankGiver& giver : givers_)
+            own.part.sent[static_cast<std::size_t>(giver.to())].add(giver.sent());
         own.begun = member_.begun();
         if (log_)
             own.notices = log_->take();
@@ -266,7 +269,7 @@ private:
     const RankRunSettings& settings_;
     Ranks& ranks_;
     RankMail& mail_;
-    std::vector<RankResult> results_; ///< by rank; a rank above 0 uses only its own
+    std::vector<RankResult> results_; ///< by rank; a rank above 0 uses only its own result
     std::size_t results_come_ = 0;    ///< number of results that have arrived from other ranks
     std::exception_ptr observing_failed_;
     std::vector<std::size_t> rank_of_node_;

@@ -31,6 +31,16 @@ RunResult common_result(std::vector<RunPart>& parts) {
     return common;
 }
 
+std::vector<MessagesBetween> messages_between(const std::vector<RunPart>& parts, const std::string& noun) {
+    std::vector<MessagesBetween> all;
+    for (std::size_t from = 0; from < parts.size(); ++from)
+        for (std::size_t to = 0; to < parts[from].sent.size(); ++to)
+            if (const Traffic& sent = parts[from].sent[to]; sent.messages > 0)
+                all.push_back(
+                    {fmt::format("{} {}", noun, from), fmt::format("{} {}", noun, to), sent.messages, sent.bytes});
+    return all;
+}
+
 } // namespace
 
 std::vector<Time> times_waited(const Software& software) {
@@ -53,6 +63,7 @@ RunReport join_parts(const Network& network, const std::vector<std::size_t>& pla
     RunReport report;
     report.is_native = true;
     report.result = common_result(parts);
+    report.messages = messages_between(parts, noun);
     std::vector<Measurement> measurements;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         std::ranges::move(parts[i].measurements, std::back_inserter(measurements));

@@ -5,17 +5,33 @@
 #include "netlist/software.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace placedpar::native {
 
+/// Counts messages that were taken, and the bytes that a link would carry for them.
+struct Traffic {
+    std::uint64_t messages = 0, bytes = 0;
+
+    void add(std::uint64_t bytes_of_message) {
+        ++messages;
+        bytes += bytes_of_message;
+    }
+    void add(const Traffic& other) {
+        messages += other.messages;
+        bytes += other.bytes;
+    }
+};
+
 /// The contribution of one thread or rank to the report of a run.
 struct RunPart {
     RunResult result;
     std::vector<Measurement> measurements = {};
-    std::vector<Time> waited = {}; ///< how long each process of the network waited; 0 for processes of other parts
-    Time rested{};                 ///< how long no process was ready
+    std::vector<Time> waited = {};  ///< how long each process of the network waited; 0 for processes of other parts
+    Time rested{};                  ///< how long no process was ready
+    std::vector<Traffic> sent = {}; ///< the messages to each part; may be shorter than the number of parts
 };
 
 /// Returns how long each process of the software has waited.
@@ -25,8 +41,8 @@ std::vector<Time> times_waited(const Software&);
 void sort_by_netlist(std::vector<StuckProcess>&, const Network&);
 
 /// Joins the parts of a run. The run is stuck if any part is stuck; otherwise interrupted if any part is; otherwise
-/// completed. Takes the deadlock from any part that has one. `noun` names a part in the report, such as "thread" in
-/// "thread 0". `place_of_node`: the part of each node.
+/// completed. Takes the deadlock from any part that has a deadlock. `noun` names a part in the report, such as "thread"
+/// in "thread 0". `place_of_node`: the part of each node.
 RunReport join_parts(const Network&, const std::vector<std::size_t>& place_of_node, const std::string& noun,
                      std::vector<RunPart>);
 

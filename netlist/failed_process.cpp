@@ -82,8 +82,8 @@ void rethrow_with_process(const Failure& failure, const Network& network, const 
         throw RefusedInput(refused.what() +
                            render(SecondPlace{"read by " + failing(failure, process), process->declared}));
     } catch (const hardware::BroadcastError& refused) {
-        throw UserError(fmt::format("{}: {}\nhint: all channels on the bus carry one broadcast message; a "
-                                    "channel that is not placed on the bus carries its own messages",
+        throw UserError(fmt::format("{}: {}\nhint: all channels of a broadcast carry the same messages; do not place a "
+                                    "channel with other messages on the bus",
                                     who, refused.what()));
     } catch (const UserError& refused) {
         throw UserError(fmt::format("{}: {}", who, refused.what()));

@@ -68,8 +68,8 @@ void Machine::make_link(const LinkConnection& connection) {
         ask(end.node, &MachineNode::has_link, link);
 }
 
-/// Returns the carriers of a connection that switches make during the run. The connection shares its link engines with
-/// the other connections of the same links.
+/// Returns the carriers of a connection that is made by switches during the run. The connection shares its link engines
+/// with the other connections of the same links.
 CarrierPair Machine::switched(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     hardware::Link& link = *parts_.links[index];

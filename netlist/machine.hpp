@@ -31,8 +31,8 @@ public:
     /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
     /// been called; the RecordedRun is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
-    /// Shuffles the ready processes, those of emulated transputers too. REQUIRES: run() has not been called. See
-    /// Kernel::shuffle and transputer::Core::shuffle.
+    /// Shuffles the ready processes, including the processes of emulated transputers. REQUIRES: run() has not been
+    /// called. See Kernel::shuffle and transputer::Core::shuffle.
     void shuffle(std::uint64_t seed);
     /// REQUIRES: run() has not been called; the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
@@ -47,7 +47,7 @@ private:
         std::vector<const hardware::FaultEffect*> of_links; ///< effect on each link that the fault affects
         FaultEffects of_device = {};
     };
-    /// Calls this member function of the node's device.
+    /// Calls a member function of the node's device.
     template <class Member, class... Arguments>
     auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
         return ask_device(network_.nodes[node], [&] {

@@ -63,9 +63,9 @@ std::string hint_for(const std::string& text) {
         return "";
     const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
     const std::string why_not = why_not_bootable(bytes);
-    return why_not.empty() ? "placedpar run takes a file that boots a transputer; a netlist names it: use \"FILE\" for "
-                             "root;"
-                           : why_not;
+    return why_not.empty()
+               ? "this file boots a transputer: placedpar run executes it; in a netlist, write use \"FILE\" for root;"
+               : why_not;
 }
 
 bool is_standard_input(const SourceFile& file) { return file.path() == shown_input("-"); }
@@ -84,10 +84,10 @@ void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& re
         reporter.replace_all(found->at, "this is occam, but standard input is read as a netlist",
                              "write the program into a file whose name ends in .occ");
     else if (found)
-        reporter.replace_all(found->at,
-                             "this is occam; write the netlist in the configuration language of the C toolset "
-                             "(icconf)",
-                             found->hint);
+        reporter.replace_all(
+            found->at,
+            "this is occam, but a netlist is written in the configuration language of the C toolset (icconf)",
+            found->hint);
 }
 
 Declared declared_in(const Draft& draft) {
@@ -111,7 +111,7 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     });
 }
 
-/// Adds the files that kinds are made of to the paths of the network's inputs.
+/// Adds the source files of kinds to the paths of the network's inputs.
 void add_program_paths(Network& network, const Catalogue& catalogue) {
     std::set<std::string> known;
     for (const ProcessInstance& process : network.processes)
@@ -125,10 +125,10 @@ void add_program_paths(Network& network, const Catalogue& catalogue) {
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
 
-/// The results of reading and parsing the text, which overrides do not change, and the options for all networks.
+/// Holds the results of reading and parsing the text, which overrides do not change, and the options for all networks.
 struct ParsedNetlist::Syntax {
     struct Content {
-        std::string (*translate_hint)(const std::string&) = nullptr; ///< as of MadeNetlist
+        std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist
         Statements statements = {};
         std::vector<std::string> included_paths = {};
         bool includes_toolset = false;
@@ -136,13 +136,13 @@ struct ParsedNetlist::Syntax {
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again of a configuration in another language: only when it is made can
-    /// an option set a val.
+    /// Returns whether the netlist must be made again from a configuration in another language, because an option may
+    /// set a val of the configuration.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }
-    /// Returns no network if the reporter has errors. REQUIRES: the reporter already has the diagnostics of `found`,
-    /// unless the netlist is made again.
+    /// Returns the network; nothing if the reporter has errors. REQUIRES: the reporter already has the diagnostics of
+    /// `found`, unless the netlist is made again.
     std::optional<Network> network(const Catalogue&, const Overrides&, Reporter&, Declared&) const;
 
     std::shared_ptr<const SourceFile> file;

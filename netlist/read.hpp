@@ -35,7 +35,7 @@ struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
         {};                               ///< folders searched for files that are not beside the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    CompiledPrograms compiled = {};       ///< programs that were compiled, instead of bootable files, by their paths
+    CompiledPrograms compiled = {};       ///< compiled programs that replace bootable files; key: path of the file
     ProgramKinds programs =
         {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
     NetlistMaker make_netlist = {}; ///< reads files that are configurations in another language, such as occam
@@ -64,7 +64,7 @@ private:
     std::shared_ptr<const Syntax> syntax_;
 };
 
-/// Parses and reads a netlist from which only one network is needed.
+/// Parses and reads a netlist. Use ParsedNetlist if several networks are made from one netlist.
 ReadResult read_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& overrides = {},
                         const ReadOptions& options = {});
 

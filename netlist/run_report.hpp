@@ -22,12 +22,19 @@ struct ProcessUse {
         waits_since; ///< start of the last wait, if the process still waits at the end and never continues
 };
 
-/// The clock of a rank of a recorded native run, compared with rank 0's clock before and after the run.
+/// The messages that one thread or rank of a native run has sent to another one.
+struct MessagesBetween {
+    std::string from, to; ///< "thread 0", "thread 1"
+    std::uint64_t messages;
+    std::uint64_t bytes; ///< the bytes that a link would carry for these messages
+};
+
+/// Compares the clock of a rank with rank 0's clock, before and after a recorded native run.
 struct RankClock {
     std::string name;               ///< "rank 1"
-    std::chrono::nanoseconds ahead; ///< how far it was ahead of rank 0's clock before the run
-    Time error;                     ///< both comparisons are off by at most this
-    Time drift;                     ///< how much farther ahead it was after the run
+    std::chrono::nanoseconds ahead; ///< how far this clock was ahead of rank 0's clock before the run
+    Time error;                     ///< greatest possible error of each of the two comparisons
+    Time drift;                     ///< increase of `ahead` from before the run to after the run
 };
 
 /// Reports a run: how it ended, what the processes measured, and how its work used the machine.
@@ -37,6 +44,7 @@ struct RunReport : MachineUse {
     RunResult result;       ///< the fingerprint in `result` covers the measurements, too
     std::vector<Measurement> measurements;
     std::vector<ProcessUse> processes;
+    std::vector<MessagesBetween> messages; ///< of a native run, without pairs that have sent none
     std::vector<FaultUse> faults;
     std::vector<RankClock> clocks; ///< clocks of a recorded run on ranks; its times are those of the clock of rank 0
 

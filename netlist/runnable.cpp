@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// The processes that run one unknown program, or the channels that lead to one edge without a process.
+/// Lists the processes that run one unknown program, or the channels that lead to one edge without a process.
 struct Missing {
     std::vector<std::string> names;
     Location first;
@@ -77,7 +77,7 @@ std::string remedy(const MissingByName& programs, const MissingByName& edges) {
     std::string text;
     if (auto named = std::ranges::find_if(programs, [](const auto& each) { return !each.first.empty(); });
         named != programs.end())
-        text = fmt::format("--use {}=KIND runs a kind instead of the program; the command kinds lists the kinds",
+        text = fmt::format("--use {}=KIND runs a kind instead of the program; the command \"kinds\" lists the kinds",
                            named->first);
     if (auto without = programs.find(""); without != programs.end())
         text += fmt::format("{}use \"KIND\" for {};", text.empty() ? "" : "; ", without->second.names.front());

@@ -16,7 +16,7 @@ namespace placedpar {
 /// Holds the processes of a network and their channels, independently of the machine on which the processes run.
 class Software {
 public:
-    /// Makes all channels as soft channels. Throws RefusedInput as require_runnable() does. REQUIRES: network and
+    /// Makes all channels, as soft channels. Throws RefusedInput as require_runnable() does. REQUIRES: network and
     /// catalogue outlive this object.
     Software(const Network&, const Catalogue&, std::uint64_t seed);
     Software(const Software&) = delete;
@@ -28,10 +28,12 @@ public:
     /// Makes all processes. `executives` holds an executive for each node, or null if processes there take no time.
     /// REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// Makes the processes of some nodes, on the executive, or on none if it is null. REQUIRES: as start().
+    /// Makes the processes of some nodes. `executive` executes them; if it is null, they take no time. REQUIRES: as for
+    /// start().
     void start_natively(Simulation&, const std::vector<bool>& nodes, Executive* executive = nullptr);
-    /// Declares the ends of all channels. `all` holds the processes by their index in Network::processes, wherever they
-    /// were made; null for processes that are in another program.
+    /// Declares which processes use the ends of all channels. `all` holds the processes by their index in
+    /// Network::processes, including processes that another Software made; null for processes that are in another
+    /// program.
     void expect_partners(const std::vector<Process*>& all);
     /// Returns the processes by their index in Network::processes; null for processes that this object has not made.
     const std::vector<Process*>& processes() const { return processes_; }

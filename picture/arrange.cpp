@@ -150,7 +150,7 @@ private:
     }
 
     /// Returns the cost of a wire from the new node along the vector `way`. Between two places of equal cost, a host or
-    /// an edge gets the left or upper place, any other node the right or lower place.
+    /// an edge takes the left or upper place, any other node the right or lower place.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;
@@ -207,8 +207,8 @@ public:
     }
 
 private:
-    /// Returns the block with the most wires to the group. Among equals it is the block with the most nodes, and then
-    /// the block declared first.
+    /// Returns the block with the most wires to the group. If several blocks have this number of wires, returns the
+    /// block with the most nodes; if these numbers are also equal, the block declared first.
     std::size_t next_block(const Group& group) const {
         auto rank = [&](const Block& block) {
             auto first = static_cast<std::ptrdiff_t>(block.nodes.front());

@@ -21,7 +21,7 @@ constexpr std::size_t most_in_column = 8, longest_text = 26;
 double round_up(double length, double unit) { return std::ceil(length / unit) * unit; }
 double to_raster(double length) { return std::round(length / pitch) * pitch; }
 
-/// Leaves out the folder of a kind that is made of a file.
+/// Leaves out the folder from the name of a kind that a file defines.
 std::string without_folder(const std::string& kind) { return kind.substr(kind.find_last_of('/') + 1); }
 
 /// Shortens a long text so that it ends in "..".
@@ -94,7 +94,7 @@ private:
         return counts;
     }
 
-    /// All nodes of an array get the size of the largest.
+    /// All nodes of an array have the size of the largest node.
     void find_sizes() {
         std::map<std::string_view, Size> largest;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {

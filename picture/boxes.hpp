@@ -34,8 +34,8 @@ struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< text with the number of channels inside the node, or with how it boots; "" if there are
-                        ///< none
+    std::string inside; ///< text with the number of channels inside the node, or about how the node boots; "" if the
+                        ///< node has neither
 };
 
 /// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and

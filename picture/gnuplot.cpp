@@ -26,7 +26,8 @@ namespace process = boost::process;
 std::filesystem::path find_gnuplot() {
     auto path = process::search_path("gnuplot");
     if (path.empty())
-        throw UserError("plots are drawn by gnuplot, which is not installed: apt-get install gnuplot-nox");
+        throw UserError(
+            "plots are drawn by gnuplot, which is not installed; install it with apt-get install gnuplot-nox");
     return path;
 }
 
@@ -54,7 +55,7 @@ std::string run_gnuplot(const std::string& script) {
     context.run();
     gnuplot.wait();
     if (gnuplot.exit_code() != 0)
-        throw UserError(fmt::format("gnuplot does not draw the plot: {}", complaint.get()));
+        throw UserError(fmt::format("gnuplot cannot draw the plot: {}", complaint.get()));
     return drawing.get();
 }
 

@@ -16,7 +16,7 @@ enum class Stroke {
     line,   ///< a line with the dashes of its colour; solid if dashes have a meaning in the panel
     dashes, ///< dashes that have a meaning in the panel
     points,
-    plain ///< a line without symbols or dashes, such as stairs
+    plain ///< a line without symbols or dashes, for example a step curve
 };
 
 /// Texts are plain, without markup: "in³/s", not "in^3/s".
@@ -26,8 +26,9 @@ struct Series {
     Stroke stroke = Stroke::line;
     std::optional<int> colour = std::nullopt; ///< one of the eight colours; nullopt: the default colour for the index
                                               ///< of the series in the panel
-    /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals, and NaN no
-    /// interval at this point. If several series have intervals of y at the same x, they are shifted slightly apart.
+    /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals; NaN means no
+    /// interval at this point. If several series have intervals of y at the same x, the series are shifted slightly
+    /// apart.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 

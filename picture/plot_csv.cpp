@@ -25,7 +25,7 @@ public:
     Rows(std::string& out, const Panel& panel) : out_(out), panel_(panel) {}
 
     void add(const std::string& curve, double x, double y) {
-        if (std::isnan(x) || std::isnan(y)) // there is no interval at this point
+        if (!std::isfinite(x) || !std::isfinite(y)) // there is no interval at this point
             return;
         out_ += fmt::format("{},{},{},{},{},{}\n", quoted_cell(panel_.title), quoted_cell(curve),
                             quoted_cell(panel_.x.label), x, quoted_cell(panel_.y.label), y);

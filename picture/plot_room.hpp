@@ -14,8 +14,8 @@ namespace placedpar {
 /// a series that an axis cuts off need no room. REQUIRES: gnuplot has just drawn the panel.
 std::string room_commands(const Panel& panel, std::size_t number);
 
-/// Returns the panel, with ends set for each axis on which all values are equal. Without them gnuplot would choose a
-/// range of only a hundredth of the value.
+/// Returns the panel, with ends set for each axis on which all values are equal. Without these ends, gnuplot would
+/// choose a range of only a hundredth of the value.
 Panel with_wide_axes(Panel panel);
 
 /// Returns the x column of the data of the panel's series with index `place`. If another series has an interval at the

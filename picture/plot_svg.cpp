@@ -196,7 +196,7 @@ std::string plot_command(const Panel& panel, std::size_t number) {
     return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Draws the panel without output, to get gnuplot's ranges. Series are not shifted apart yet.
+/// Draws the panel without output, so that gnuplot chooses the ranges. Series are not shifted apart yet.
 std::string trial_commands(const Panel& asked, std::size_t number) {
     const Panel panel = with_wide_axes(asked);
     return fmt::format("Xfrom{0} = 1; Xto{0} = 1\n", number) + data_blocks(panel, number) +
@@ -204,7 +204,7 @@ std::string trial_commands(const Panel& asked, std::size_t number) {
            room_commands(panel, number);
 }
 
-/// Places dates at the axis that are whole hours or days apart.
+/// Returns commands that label the axis with dates, which are a whole number of hours or days apart.
 std::string date_commands(const Axis& axis) {
     constexpr double hour = 3600, day = 24 * hour, most = 7;
     constexpr std::array<double, 14> steps{hour,    2 * hour, 6 * hour, 12 * hour, day,       2 * day,   4 * day,

@@ -181,7 +181,7 @@ private:
         open_.emplace(cost + at_least(*next), order_++, state);
     }
 
-    /// Goes on to the neighbours of the state. A wire does not bend where it crosses another wire.
+    /// Continues the search at the neighbours of the state. A wire does not bend where it crosses another wire.
     void go_on(State state) {
         Way way = way_to(state);
         bool may_bend = !r_.marks_[state / 4].has_wire();

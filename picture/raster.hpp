@@ -17,7 +17,7 @@ struct Port {
 };
 
 /// Finds paths for wires around boxes. The points of the raster are one pitch apart (boxes.hpp). Wires may cross, but
-/// none runs along another.
+/// no wire runs along another wire.
 class Raster {
 public:
     /// REQUIRES: the borders of the boxes lie on the raster.

@@ -1,4 +1,4 @@
-"""Makes the wheel of the package in the build folder. The wheel is for this platform, since the package has a module."""
+"""Makes the wheel of the package in the build folder. The wheel is for this platform, because the package has a compiled module."""
 
 import setuptools
 

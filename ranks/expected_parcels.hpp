@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// The parcels that a rank expects, each with the MPI request that receives its bytes. Of several parcels with the same
-/// sender and number, the one that was expected first is returned first, even if a later request is complete earlier.
+/// The parcels that a rank expects, each with the MPI request that receives its bytes. Parcels with the same sender and
+/// number are returned in the order in which they were expected, even if a later request is complete earlier.
 template <class Request>
 class ExpectedParcels {
 public:

@@ -15,17 +15,17 @@ struct RankLetter {
     std::span<const std::uint8_t> bytes; ///< valid until the next RankMail::receive()
 };
 
-/// A message of any length. Its number is chosen by the two ranks.
+/// A message of any length. The two ranks choose its number.
 struct RankParcel {
     int from;
     int number;
     std::vector<std::uint8_t> bytes;
 };
 
-/// Sends bytes between ranks. Its messages cannot be confused with those of another mail or with texts of Ranks. No
+/// Sends bytes between ranks. Its messages cannot be confused with messages of another mail or with texts of Ranks. No
 /// function waits.
 ///
-/// A letter is copied, and needs no agreement: any rank may send one to any rank. Letters from one rank to another
+/// A letter is copied, and needs no agreement: any rank may send a letter to any rank. Letters from one rank to another
 /// arrive in the order in which they were sent. A parcel is not copied: the receiver states in advance which parcel it
 /// expects, so that MPI can write into the receiver's memory. Parcels from one rank to another with the same number
 /// arrive in the order in which they were sent.

@@ -23,8 +23,8 @@ bool started_as_rank() {
 
 constexpr const char* module_name = "placedpar_mpi.so";
 
-/// Loads the module from its usual path, otherwise from where the system's linker finds it. Returns null if there is no
-/// module.
+/// Loads the module from its usual path, otherwise from a path at which the system's linker finds it. Returns null if
+/// there is no module.
 void* load_module() {
     const std::filesystem::path place = module_of_ranks();
     const std::string path = place.empty() ? module_name : place.string();
@@ -59,7 +59,7 @@ bool left_to_rank_zero(const std::string& command) {
         return false;
     if (ranks->own() == 0)
         throw UserError(fmt::format("{} ranks of mpirun would each make the same runs: start {} without mpirun; only "
-                                    "sweep shares its runs among ranks, and only run --native its processes",
+                                    "sweep shares its runs among ranks, and only run --native shares its processes",
                                     ranks->count(), command));
     return true;
 }

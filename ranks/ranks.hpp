@@ -30,8 +30,8 @@ public:
     virtual void send(int to, const std::string& text) = 0;
     /// Returns the next message that has arrived; nothing if there is none.
     virtual std::optional<Message> receive() = 0;
-    /// Opens a mail, which is faster than texts. All ranks must call this function the same number of times and in the
-    /// same order. REQUIRES: the mail is closed before the ranks are destroyed.
+    /// Opens a mail: a faster way to send bytes than send() is for texts. All ranks must call this function the same
+    /// number of times and in the same order. REQUIRES: the mail is closed before the ranks are destroyed.
     virtual std::unique_ptr<RankMail> open_mail() = 0;
 };
 

@@ -13,7 +13,7 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< result of the simulation; nothing was fitted to it
     calibrated, ///< one constant was fitted to this cell
-    workload,   ///< a constant for the cost of the program was read off this cell
+    workload,   ///< a constant for the cost of the program was taken from this cell
     fitted,     ///< constants were fitted to several cells, including this cell
     constant    ///< the cell repeats a constant of the model; any difference is an error of the program
 };
@@ -49,7 +49,7 @@ struct Cell {
     std::string source = {}; ///< source of the known figure, if the figures of a comparison have several sources
     std::optional<Judge> judge = {};       ///< empty: the judge that Comparison::against names
     std::optional<Interval> interval = {}; ///< 95 % interval of a simulated share; the cell misses a bound only if the
-                                           ///< whole interval does
+                                           ///< whole interval misses it
 
     /// Returns the deviation of the simulated figure from the reference, in percent of the reference; 0 if both are 0;
     /// nothing if a figure is missing, or if only the reference is 0.
@@ -72,9 +72,9 @@ Cell cell_of(std::string row, std::string column, std::string unit, std::optiona
 /// Makes a cell that is judged by a lower bound. The cell may have a known figure, which it need not meet.
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
-/// Makes a cell that shows a share in percent. It misses a bound only if its whole 95 % interval does, so that the
-/// verdict does not depend on the number of runs. Without runs nothing is known: the share is 0, and no bound is
-/// missed. REQUIRES: successes <= runs.
+/// Makes a cell that shows a share in percent. The cell misses a bound only if its whole 95 % interval misses the
+/// bound, so that the verdict does not depend on the number of runs. Without runs nothing is known: the share is 0, and
+/// no bound is missed. REQUIRES: successes <= runs.
 Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs);
 Cell judged_by(Judge, Cell);
 

@@ -103,7 +103,7 @@ std::string print_bound(const char* sign, double bound, int decimals) {
 }
 
 std::string print_simulated(const Cell& cell) {
-    if (std::isnan(cell.simulated))
+    if (!std::isfinite(cell.simulated))
         return "-";
     double simulated = std::abs(cell.simulated) < 0.5 * std::pow(10, -cell.decimals) ? 0 : cell.simulated; // no -0.00
     return fmt::format("{:.{}f}", simulated, cell.decimals);
@@ -121,7 +121,7 @@ std::string print_error(const Cell& cell, const std::string& against) {
         return print_bound(">= ", *cell.at_least, cell.decimals);
     if (cell.at_most)
         return print_bound("<= ", *cell.at_most, cell.decimals);
-    if (std::isnan(cell.simulated))
+    if (!std::isfinite(cell.simulated))
         return "";
     if (cell.reference && (cell.tolerance || cell.unit == "%"))
         return print_difference(cell.simulated - *cell.reference, cell.decimals);

@@ -50,7 +50,7 @@ JudgedCells count_judged(const std::vector<Comparison>&);
 /// Prints for people, on one line, the number of cells that are judged against the thesis, and against other figures.
 std::string print_judged(const JudgedCells&);
 /// Prints for people whether all judged cells are within their tolerances. If only the first table is judged, the text
-/// calls it "the first reading", or by another word in `called`.
+/// calls this table "the first reading"; `called` can replace the word "reading".
 std::string print_verdict(const std::vector<Comparison>&, const std::string& called = "reading");
 /// Prints for people how far the outcomes are from the known figures; only cells in the unit of the first cell count.
 std::string print_fit(const std::vector<Cell>&);

@@ -83,7 +83,7 @@ std::vector<DrawnSearch> drawn_searches(const GenerationLog& log) {
 ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, const DrawnSearch& searches,
                           double LoggedGeneration::*quantity, int colour) {
     ConvergenceCurve curve{std::move(name), {}, colour};
-    curve.first = logs.front().log.first(); // the same with each seed
+    curve.first = logs.front().log.first(); // the first generation does not depend on the seed
     for (const SeededLog& each : logs) {
         auto& run = curve.runs.emplace_back();
         for (const LoggedGeneration& generation : searches.of(each.log))

@@ -19,8 +19,8 @@ std::vector<const ProcessKind*> group_of(const Catalogue&, std::string_view grou
 /// Returns the names of all kinds and groups, in order.
 std::vector<std::string> known_names(const Catalogue&);
 
-/// Returns the known name that equals this name in upper or lower case, as in DOS and the toolset; the name itself if
-/// there is no such known name.
+/// Returns the known name that equals this name apart from upper and lower case, which DOS and the toolset do not
+/// distinguish; the name itself if there is no such known name.
 std::string known_name(const Catalogue&, const std::string& name);
 
 /// Throws UserError for an unknown name; the text suggests a kind, device or group with a similar name, or a similar

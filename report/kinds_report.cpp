@@ -164,7 +164,7 @@ std::string print_name(const std::string& name, const NodeType& type) {
 
 std::string print_what_is_placed(const DeviceKind& kind) {
     if (kind.is_set_by_link())
-        return fmt::format("a {}, to be set during the run by the link config", kind.logic);
+        return fmt::format("a {}, which the link config sets during the run", kind.logic);
     return kind.executes != Execution::none ? "can be placed on it" : "none can be placed on it";
 }
 

@@ -12,13 +12,13 @@
 
 namespace placedpar {
 
-/// Holds what is needed to repeat a run.
+/// Holds the data that are needed to repeat a run.
 struct Manifest {
     std::string command; ///< the command as it was typed
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};
-    Time until = Time::max(); ///< virtual time at which the run was to be stopped
+    Time until = Time::max(); ///< time limit of the run, in virtual time
     std::optional<std::uint64_t> shuffle = {};
 };
 

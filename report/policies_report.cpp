@@ -26,10 +26,11 @@ struct PolicyParameter {
     std::vector<std::string> kinds;
 };
 
-/// The result of a query by name: an aspect, with all or some of its policies and forms.
+/// The result of a query by name: a step of the algorithm, such as reproduction, with the policies that fit the name.
 struct PolicyQuery {
-    Noun noun; ///< the aspect, with all its policies and forms, or only those that the name matches
-    std::vector<std::string> written; ///< each policy as a netlist writes it, with the numbers in the name
+    Noun noun; ///< the step, with all its policies, or with only the policies that the name matches
+    std::vector<std::string>
+        written; ///< each policy as a netlist writes it, such as "tournament(size = 3)", with the numbers of the query
     std::vector<PolicyParameter> parameters;
 };
 

@@ -2,6 +2,7 @@
 
 #include "netlist/run_report.hpp"
 #include "report/clocks.hpp"
+#include "report/fault_report.hpp"
 #include "report/field.hpp"
 #include "report/search_report.hpp"
 #include "text/counted.hpp"
@@ -115,7 +116,7 @@ std::string print_stops(const std::vector<ProgramUse>& programs) {
             out +=
                 fmt::format("{} stopped at {}: {}, at {}\n", stop.process, stop.place, stop.error, to_string(stop.at));
         if (const std::uint64_t others = program.count_of_stops - program.stops.size(); others > 0)
-            out += fmt::format("{}: {} more stopped\n", program.name, counted(others, "process"));
+            out += fmt::format("{}: errors also stopped {}\n", program.name, counted(others, "process", "processes"));
     }
     return out.empty() ? "" : "\n" + out;
 }
@@ -143,6 +144,14 @@ Table links_of(const RunReport& report, const std::vector<LinkUse>& links) {
                 Field::count(10, "bytes", l.bytes),
                 part_of(report, 9, "occupied", l.occupied),
                 Field::member_ps("occupied", l.occupied)};
+    });
+}
+
+Table messages_of(const std::vector<MessagesBetween>& messages) {
+    return table_of(messages, [](const MessagesBetween& m) -> Row {
+        return {Field::left(0, "messages between", m.from + " -> " + m.to), Field::member("from", m.from),
+                Field::member("to", m.to), Field::count(10, "messages", m.messages),
+                Field::count(10, "bytes", m.bytes)};
     });
 }
 
@@ -231,78 +240,9 @@ Table processes_of(const RunReport& report) {
     });
 }
 
-using MessageStruck = hardware::FaultEffect::Hit::Message;
-
-const char* what_was_struck(MessageStruck message) {
-    switch (message) {
-    case MessageStruck::whole: return "a message on";
-    case MessageStruck::packet: return "a packet of";
-    case MessageStruck::acknowledging_packet: return "a packet that acknowledges a packet of";
-    }
-    return "";
-}
-
-std::string print_hit(const FaultUse::Hit& hit) {
-    return fmt::format("at {}: {}byte {} of {} channel {}", to_string(hit.at),
-                       hit.acknowledge ? "the acknowledge of " : "", hit.byte, what_was_struck(hit.message),
-                       hit.channel);
-}
-
-/// Prints the fault's effects, with the first and the last loss. The last loss may have caused a deadlock.
-std::string print_effect(const FaultUse& fault) {
-    std::vector<std::string> said;
-    if (fault.last)
-        said.push_back(fmt::format("lost {} and {}", counted(fault.bytes_lost, "byte"),
-                                   counted(fault.acknowledges_lost, "acknowledge")));
-    if (!fault.stopped.empty())
-        said.push_back(fmt::format("stopped {}", fmt::join(fault.stopped, ", ")));
-    if (!fault.stopped_channels.empty())
-        said.push_back(fmt::format("stopped the {} {}", fault.stopped_channels.size() > 1 ? "channels" : "channel",
-                                   fmt::join(fault.stopped_channels, ", ")));
-    if (fault.bus_errors > 0)
-        said.push_back(counted(fault.bus_errors, "bus error"));
-    if (fault.held_since)
-        said.push_back(fmt::format("held the bus from {} on", to_string(*fault.held_since)));
-    std::string out = said.empty() ? fault.had_effect() ? "slowed messages down" : "had no effect"
-                                   : fmt::format("{}", fmt::join(said, "; "));
-    if (fault.first)
-        out += fmt::format("\n    first {}", print_hit(*fault.first));
-    if (fault.last && fault.first && fault.last->at != fault.first->at)
-        out += fmt::format("\n    last {}", print_hit(*fault.last));
-    return out;
-}
-
-std::string print_faults(const std::vector<FaultUse>& faults) {
-    std::string out = faults.empty() ? "" : painted(Paint::heading, "\nfaults\n");
-    for (const FaultUse& fault : faults)
-        out += fmt::format("  {}: {}\n", fault.fault, print_effect(fault));
-    return out;
-}
-
-std::string print_loss(const SwitchUse::Loss& loss, const std::string& name) {
-    return fmt::format("  {} -> {}: lost {} and {}\n    first {}\n    output {} of {} {}\n", loss.from, loss.to,
-                       counted(loss.bytes, "byte"), counted(loss.acknowledges, "acknowledge"), print_hit(loss.first),
-                       loss.output, name, loss.state);
-}
-
-std::string print_switches(const std::vector<SwitchUse>& switches) {
-    std::string out;
-    for (const SwitchUse& each : switches) {
-        out +=
-            painted(Paint::heading, fmt::format("\nswitch {}", each.name)) +
-            fmt::format(": {}, {} made\n", counted(each.commands, "command"), counted(each.connections, "connection"));
-        for (const SwitchUse::Loss& loss : each.losses)
-            out += print_loss(loss, each.name);
-    }
-    return out;
-}
-
 boost::json::array texts_of(const std::vector<std::string>& texts) {
     return boost::json::array(texts.begin(), texts.end());
 }
-
-template <class Rows>
-boost::json::array array_of(const RunReport& report, const Rows& rows);
 
 boost::json::object json_of(const RunReport& report, const BusUse& b) {
     boost::json::object json{{"name", b.name},
@@ -321,60 +261,12 @@ boost::json::object json_of(const RunReport& report, const DeviceUse& d) {
             {"rows", json_of(rows_of(report, d).rows)}};
 }
 
-const char* what_was_struck_json(MessageStruck message) {
-    switch (message) {
-    case MessageStruck::whole: return "message";
-    case MessageStruck::packet: return "packet";
-    case MessageStruck::acknowledging_packet: return "acknowledging_packet";
-    }
-    return "";
-}
-
-boost::json::value hit_json(const std::optional<FaultUse::Hit>& hit) {
-    if (!hit)
-        return nullptr;
-    return {{"time_ps", hit->at.count()},
-            {"channel", hit->channel},
-            {"what", hit->acknowledge ? "acknowledge" : "byte"},
-            {"byte", hit->byte},
-            {"of", what_was_struck_json(hit->message)}};
-}
-
-boost::json::object json_of(const RunReport&, const FaultUse& fault) {
-    return {{"fault", fault.fault},
-            {"had_effect", fault.had_effect()},
-            {"bytes_lost", fault.bytes_lost},
-            {"acknowledges_lost", fault.acknowledges_lost},
-            {"first", hit_json(fault.first)},
-            {"last_lost", hit_json(fault.last)},
-            {"stopped", texts_of(fault.stopped)},
-            {"stopped_channels", texts_of(fault.stopped_channels)},
-            {"bus_errors", fault.bus_errors},
-            {"held_since_ps", fault.held_since ? boost::json::value(fault.held_since->count()) : nullptr}};
-}
-
-boost::json::object json_of(const RunReport&, const SwitchUse::Loss& loss) {
-    return {{"from", loss.from},
-            {"to", loss.to},
-            {"bytes_lost", loss.bytes},
-            {"acknowledges_lost", loss.acknowledges},
-            {"first", hit_json(loss.first)},
-            {"output", loss.output},
-            {"state", loss.state}};
-}
-
-boost::json::object json_of(const RunReport& report, const SwitchUse& use) {
-    return {{"name", use.name},
-            {"commands", use.commands},
-            {"connections", use.connections},
-            {"losses", array_of(report, use.losses)}};
-}
-
-template <class Rows>
-boost::json::array array_of(const RunReport& report, const Rows& rows) {
+/// Returns an array with the JSON form of each row.
+template <class Row, class Json>
+boost::json::array array_of(const std::vector<Row>& rows, Json json_of_row) {
     boost::json::array array;
-    for (const auto& row : rows)
-        array.push_back(json_of(report, row));
+    for (const Row& row : rows)
+        array.push_back(json_of_row(row));
     return array;
 }
 
@@ -405,7 +297,8 @@ boost::json::value fingerprint_json(const RunReport& report) {
     return boost::json::value(hex(report.result.fingerprint));
 }
 
-/// Prints how the run has ended. Other processes may wait for ever for what a halted processor would have done.
+/// Prints how the run has ended. If a processor has halted, its halt is named instead of the deadlock that it may have
+/// caused.
 std::string print_ending(const RunReport& report) {
     const Ending ending = report.result.ending;
     if (ending != Ending::interrupted && std::ranges::any_of(report.programs, &ProgramUse::halted))
@@ -457,6 +350,8 @@ std::string print_report(const RunReport& report, const Network& network, const 
         out += print_stops(report.programs) + programs_of(report).text("\n");
     if (!report.processors.empty())
         out += processors_of(report).text("\n");
+    if (!report.messages.empty())
+        out += messages_of(report.messages).text("\n");
     out += print_links(report) + print_buses(report) + print_devices(report);
     if (!report.clocks.empty())
         out += clocks_of(report.clocks).text("\n");
@@ -474,21 +369,23 @@ boost::json::object report_json(const RunReport& report, const Network& network,
                              {"links", json_of(links_of(report, report.links).rows)},
                              {"processes", json_of(processes_of(report).rows)}};
     if (!report.buses.empty())
-        json["buses"] = array_of(report, report.buses);
+        json["buses"] = array_of(report.buses, [&](const BusUse& bus) { return json_of(report, bus); });
     if (!report.devices.empty())
-        json["devices"] = array_of(report, report.devices);
+        json["devices"] = array_of(report.devices, [&](const DeviceUse& device) { return json_of(report, device); });
     if (!searches.searches().empty())
         json["searches"] = searches_json(searches);
     if (!report.faults.empty())
-        json["faults"] = array_of(report, report.faults);
+        json["faults"] = array_of(report.faults, json_of_fault);
     if (!report.programs.empty())
         json["programs"] = json_of(programs_of(report).rows);
     if (boost::json::array stops = stops_json(report.programs); !stops.empty())
         json["stops"] = std::move(stops);
+    if (!report.messages.empty())
+        json["messages"] = json_of(messages_of(report.messages).rows);
     if (!report.clocks.empty())
         json["clocks"] = json_of(clocks_of(report.clocks).rows);
     if (!report.switches.empty())
-        json["switches"] = array_of(report, report.switches);
+        json["switches"] = array_of(report.switches, json_of_switch);
     if (report.result.deadlock)
         json["deadlock"] = deadlock_json(*report.result.deadlock);
     if (!report.result.never_ran.empty())

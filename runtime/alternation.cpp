@@ -29,7 +29,7 @@ std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
     return found - guards.begin();
 }
 
-/// Chooses a guard, whose message cannot be given up from then on.
+/// Returns the first ready guard, and reserves its message, which then cannot be given up.
 std::optional<std::size_t> first_kept(std::span<const Guard> guards) {
     auto found = std::ranges::find_if(guards, [](const Guard& guard) {
         return is_ready(guard) && (guard.kind != Guard::input || guard.channel->keep_message());
@@ -102,7 +102,7 @@ public:
 private:
     void happen() noexcept override { wake(); }
     void message_announced() override { wake(); }
-    /// Wakes the process, once.
+    /// Wakes the process. Only the first call has an effect.
     void wake() {
         if (!std::exchange(woken_, true))
             process_.kernel().make_ready(process_);

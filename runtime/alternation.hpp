@@ -36,7 +36,7 @@ auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
-/// Makes a timeout guard, occam's `timer ? AFTER t`. It is ready from the virtual time `due` on.
+/// Makes a timeout guard, occam's `timer ? AFTER t`. The guard is ready from the virtual time `due` on.
 template <std::invocable Body>
 auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
@@ -69,7 +69,7 @@ struct Guards {
 template <class Body>
 Guards(std::vector<Guard>, std::vector<std::size_t>, Body) -> Guards<Body>;
 
-/// The input that a fair ALT tests first. The caller keeps it from one execution of the ALT to the next.
+/// Holds the index of the input that a fair ALT tests first. The caller keeps the object between executions of the ALT.
 struct Turn {
     std::size_t next = 0;
 };
@@ -98,8 +98,8 @@ auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& whe
     return detail::replicated(inputs, 0, std::move(take), where);
 }
 
-/// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. Testing starts behind
-/// the input that was chosen last, so every ready input is chosen once before any input is chosen twice (G. Jones,
+/// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. Testing starts with the
+/// input after the last chosen input, so every ready input is chosen once before any input is chosen twice (G. Jones,
 /// Carefully scheduled selection with ALT, occam user group newsletter 10, 1989). REQUIRES: the inputs and the turn
 /// outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
@@ -112,8 +112,8 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// The next two functions take a vector, such as `environment.inputs<T>("in")`; it may be a temporary in the call of
-// alt().
+// The next two functions take a vector, such as `environment.inputs<T>("in")`; the vector may be a temporary in the
+// call of alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);
@@ -155,8 +155,8 @@ auto when(bool condition, Guards<Body> several) {
     return when([=](std::size_t) { return condition; }, std::move(several));
 }
 
-/// Runs occam's PRI ALT: waits for the first ready guard, inputs the message if it is an input guard, and runs the
-/// guarded body. Returns the index of the guard.
+/// Runs occam's PRI ALT: waits for the first ready guard, inputs the message if the guard is an input guard, and runs
+/// the guarded body. Returns the index of the guard.
 template <class... Bodies>
 requires(sizeof...(Bodies) > 0) std::size_t alt(std::pair<Guard, Bodies>... alternatives) {
     const Guard guards[] = {alternatives.first...};

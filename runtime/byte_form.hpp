@@ -22,25 +22,26 @@ namespace placedpar {
 
 using MessageBytes = std::vector<std::uint8_t>;
 
-/// Thrown for bytes that are not a message of a channel's protocol. The text describes the bytes.
+/// Thrown for bytes that are not a message of a channel's protocol. The text states the reason.
 class NoMessage : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// States how messages of a type are written as bytes, for programs in a transputer's own code. The bytes are those of
-/// occam's protocols. Numbers are little-endian, and BOOL is a byte of 0 or 1. `[n]T` is its elements. `INT::[]T` is
-/// the number of elements, in four bytes, and the elements. A variant is a byte with the number of its alternative,
-/// from 0 on, and the alternative. A specialisation has the functions
+/// States how messages of a type are written as bytes, for programs in a transputer's own code. The bytes are the same
+/// as in occam's protocols. Numbers are little-endian, and BOOL is a byte of 0 or 1. An array `[n]T` is written as its
+/// elements. A counted array `INT::[]T` is written as the number of elements, in four bytes, followed by the elements.
+/// A variant is written as one byte with the number of its alternative, counted from 0, followed by the alternative. A
+/// specialisation has the functions
 ///
 ///     static void write(const T&, MessageBytes&);                           // appends the bytes of the message
-///     static std::uint32_t next_part(std::span<const std::uint8_t> so_far); // the length of the part that follows the
-///                                                                           // parts so far; 0: they are the message
+///     static std::uint32_t next_part(std::span<const std::uint8_t> so_far); // the length of the part that follows
+///                                                                           // `so_far`; 0: the message is complete
 ///     static T read(std::span<const std::uint8_t>);                         // returns the message of these bytes
 ///
-/// The parts are those of the WireForm. The last two functions may throw NoMessage. If a simpler type, such as
-/// `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other types have no byte form:
-/// addresses and padding mean nothing to the other program.
+/// `next_part` divides a message into the parts of its WireForm. The last two functions may throw NoMessage. If a
+/// simpler type, such as `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other
+/// types have no byte form: addresses and padding mean nothing to the other program.
 template <class T>
 struct ByteForm {};
 
@@ -65,7 +66,7 @@ void write_number(T number, MessageBytes& to) {
     to.insert(to.end(), bytes.begin(), bytes.end());
 }
 
-/// REQUIRES: the bytes have an element of this number.
+/// REQUIRES: `bytes` contains the element with this index.
 template <PlainNumber T>
 T read_number(std::span<const std::uint8_t> bytes, std::size_t element = 0) {
     if constexpr (std::same_as<T, bool>) {
@@ -115,7 +116,7 @@ struct ByteForm<std::vector<T>> {
             return so_far.empty() ? sizeof(std::int32_t) : 0;
         const auto count = detail::read_number<std::int32_t>(so_far);
         if (count < 0 || static_cast<std::uint32_t>(count) > std::numeric_limits<std::uint32_t>::max() / sizeof(T))
-            throw NoMessage("an array of " + std::to_string(count) + " elements");
+            throw NoMessage("an array cannot have " + std::to_string(count) + " elements");
         return static_cast<std::uint32_t>(count) * std::uint32_t{sizeof(T)};
     }
     static std::vector<T> read(std::span<const std::uint8_t> bytes) {
@@ -179,7 +180,7 @@ private:
         if constexpr (index + 1 < sizeof...(Alternatives))
             return with_alternative<index + 1>(bytes, use);
         else
-            throw NoMessage("the tag " + std::to_string(bytes[0]) + ", of an alternative that does not exist");
+            throw NoMessage("no alternative has the tag " + std::to_string(bytes[0]));
     }
 };
 
@@ -190,7 +191,7 @@ struct AnyByteForm {
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
 
-/// Returns null if messages of the type have no byte form.
+/// Returns the byte form of messages of a type; null if they have none.
 template <class T>
 const AnyByteForm* byte_form_of() {
     if constexpr (HasByteForm<T>) {

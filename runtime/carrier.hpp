@@ -26,8 +26,8 @@ public:
     virtual void input(AnyChannel&, const SourceLocation&) = 0;
     /// Returns whether a message has begun to arrive and no process has asked for it.
     virtual bool message_waits(const AnyChannel&) const = 0;
-    /// Keeps the message that waits until the next input, because an alternation has chosen it. Returns false if the
-    /// message has been given up meanwhile, which only a carrier between threads can find.
+    /// Reserves the waiting message for the next input, because an alternation has chosen it. Returns false if the
+    /// message has been given up in the meantime. This can happen only on a carrier between threads.
     virtual bool keep_message(const AnyChannel&) { return true; }
 
     // The next functions are for reports.
@@ -36,7 +36,7 @@ public:
     virtual bool output_is_lost(const AnyChannel&) const { return false; }
     virtual bool input_is_lost(const AnyChannel&) const { return false; }
     /// Return whether the other end has given up a message that this end is still transferring. Nothing is transferred
-    /// until the message is given up and reset at this end, too.
+    /// until this end, too, gives up the message and is reset.
     virtual bool output_must_be_reset(const AnyChannel&) const { return false; }
     virtual bool input_must_be_reset(const AnyChannel&) const { return false; }
     /// Returns the channels that keep an outputting process waiting although its partner inputs. They are other
@@ -48,7 +48,7 @@ public:
     // The next functions are for carriers whose messages can be given up (runtime/recovery.hpp).
     /// Returns the reason why messages cannot be given up, or "" if they can. The text follows the channel's name, as
     /// in "travels in packets".
-    virtual std::string why_not_given_up() const { return "is on a carrier that takes messages as a whole"; }
+    virtual std::string why_not_given_up() const { return "is on a carrier that transfers only whole messages"; }
     /// Make output (input) return, so that the process continues without its message. Return false and do nothing if
     /// the process's part of the transfer is already complete. REQUIRES: called by an event, while a process is in
     /// output (input).

@@ -24,8 +24,8 @@ bool may_follow(const AnyChannel::User& last, const Process& process) {
 
 void require_can_be_given_up(const Carrier* carrier, const AnyChannel& channel) {
     if (std::string reason = carrier ? carrier->why_not_given_up() : ""; !reason.empty())
-        throw std::logic_error(
-            fmt::format("channel {} {}: it cannot give up a message, nor be reset", channel.name(), reason));
+        throw std::logic_error(fmt::format(
+            "channel {} {}: its messages cannot be given up, and its ends cannot be reset", channel.name(), reason));
 }
 
 void require_unused(const void* end, const AnyChannel& channel) {
@@ -62,17 +62,19 @@ void AnyChannel::expect_inputter(const Process& process) { own_input(process); }
 [[gnu::cold]] void AnyChannel::change_owner(User& end, const Process& process, const char* verb) {
     const bool inside = &end == &outputter_ ? outputter_inside_ : inputter_inside_;
     if (end.process && (inside || !may_follow(end, process)))
-        throw std::logic_error(fmt::format(
-            "process {} {} channel {}, and so does {}: a channel has one outputting and one inputting process",
-            process.path(), verb, name_,
-            end.outermost == &process.outermost() ? "another component of a PAR" : "process " + end.outermost->path()));
+        throw std::logic_error(fmt::format("process {} {} channel {}, but this end belongs to {}: a channel has one "
+                                           "outputting and one inputting process",
+                                           process.path(), verb, name_,
+                                           end.outermost == &process.outermost() ? "another component of a PAR"
+                                                                                 : "process " + end.outermost->path()));
     end = user(process);
 }
 
 /// Throws, because the process left the end in the middle of a message and did not reset it.
 void AnyChannel::refuse_unreset(const Process& self, const char* verb) const {
-    throw std::logic_error(fmt::format("process {} {} channel {}, on which it gave up a message: reset it first",
-                                       self.path(), verb, name_));
+    throw std::logic_error(
+        fmt::format("process {} {} channel {}, on which it gave up a message: reset this end of the channel first",
+                    self.path(), verb, name_));
 }
 
 void AnyChannel::refuse_without_carrier(const Process& self, const Process& other) const {

@@ -22,8 +22,8 @@
 
 namespace placedpar {
 
-/// Receives a call when a message begins to wait in a channel. Alternations are listeners. So are attempts that end
-/// when a message waits in another channel.
+/// Receives a call when a message begins to wait in a channel. Alternations are listeners. An attempt that a message in
+/// another channel can end is a listener, too.
 class Listener {
 public:
     /// Called when a message waits in the channel and no process has asked for it.
@@ -51,7 +51,7 @@ protected:
 /// 1. A channel is put on a carrier before it is used, or never.
 /// 2. Each end has one owner: a process at the outermost level. Components of its PARs may use the end one after
 /// another. The channel throws std::logic_error if another process uses the end. It also throws if two components of
-/// one PAR use the end, or if a component uses it while another is still using it.
+/// one PAR use the end, or if a component uses it while another component is still using it.
 /// 3. If the two processes are on different executives, they need a carrier. Without a carrier, the channel throws
 /// std::logic_error.
 /// 4. A channel belongs to one simulation and outlives the simulation's run.
@@ -80,7 +80,7 @@ public:
     std::uint64_t identity() const { return identity_; }
     virtual std::type_index protocol() const = 0;
     /// Makes the channel hard. Throws std::logic_error while a process is in the channel. REQUIRES: no process has used
-    /// the channel yet; the carrier outlives it.
+    /// the channel yet; the carrier outlives the channel.
     void put_on(Carrier&);
 
     /// Return the last process that used this end, or null if no process has. Use the pointer only while this process
@@ -90,16 +90,16 @@ public:
     /// Return the last user of each end. The user may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Declare the process that will use an end, so that the report of a deadlock before its first communication can
-    /// name it. Throw std::logic_error if another process owns the end. REQUIRES: the process exists until the end of
-    /// the simulation.
+    /// Declare the process that will use an end. The report of a deadlock can then name this process even if it has not
+    /// communicated yet. Throw std::logic_error if another process owns the end. REQUIRES: the process exists until the
+    /// end of the simulation.
     void expect_outputter(const Process&);
     void expect_inputter(const Process&);
 
     // The next functions are for alternations.
     /// Returns whether an input would find a message.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// Keeps the message that waits until the next input. Returns false if it does not wait any more.
+    /// Reserves the waiting message for the next input. Returns false if the message was given up.
     bool keep_message() { return !carrier_ || carrier_->keep_message(*this); }
     /// Records that the process has a guard on the channel. Throws std::logic_error if the process does not own the
     /// input end.
@@ -115,8 +115,8 @@ public:
     void disable() { listener_ = nullptr; }
 
     // The next functions are for attempts (runtime/recovery.hpp).
-    /// Set the observer of the next output (input); null removes it. Throw std::logic_error if the channel's carrier
-    /// cannot give up a message.
+    /// Set the observer of the next output (input); null removes the observer. Throw std::logic_error if the channel's
+    /// carrier cannot give up a message.
     void attempt_output(AttemptObserver*);
     void attempt_input(AttemptObserver*);
     /// Let the process in output (input) continue without the message. Return false if the message has already been
@@ -124,7 +124,7 @@ public:
     bool give_up_output();
     bool give_up_input();
     /// Clear the end after a message was given up. Return how many bytes of the message were transferred, always 0 on a
-    /// soft channel. Throw std::logic_error if the running process does not own the end, or if a process is in it.
+    /// soft channel. Throw std::logic_error if the running process does not own the end, or if a process uses it now.
     std::uint64_t reset_output();
     std::uint64_t reset_input();
 
@@ -161,10 +161,10 @@ public:
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
     /// Hands the message of another channel to the inputter of this one: the two channels are the halves of a channel
-    /// between two kernels. REQUIRES: both have the same protocol; a process is in output of the other, and one in
-    /// input of this.
+    /// between two kernels. REQUIRES: both channels have the same protocol; a process is in output on `other`; a
+    /// process is in input on this channel.
     void take_from(AnyChannel& other);
-    /// Returns how messages of the protocol are written as bytes; null if they have no form in bytes.
+    /// Returns how messages of the protocol are written as bytes; null if they have no byte form.
     virtual const AnyByteForm* byte_form() const = 0;
     /// Returns the outputter's message as bytes. REQUIRES: byte_form() is not null; a process is in output.
     MessageBytes message_in_bytes() const;
@@ -175,15 +175,16 @@ public:
     }
     /// Notes that a device has taken the outputter's message. REQUIRES: a process is in output.
     void note_taken_by_device() { note_communication(outputter_.process->kernel()); }
-    /// Hands a device's message to the inputter. Throws NoMessage. REQUIRES: the parts of the bytes are complete
-    /// (ByteForm::next_part); a process is in input.
+    /// Hands a device's message to the inputter. Throws NoMessage if the bytes are not a message of the protocol.
+    /// REQUIRES: ByteForm::next_part returns 0 for the bytes; a process is in input.
     void hand_over(std::span<const std::uint8_t> bytes);
-    /// Returns how messages of the protocol travel to another copy of the program; null if they cannot.
+    /// Returns the functions that pack messages for another copy of the program; null if messages of the protocol
+    /// cannot be packed.
     virtual const AnyPackedForm* packed_form() const = 0;
-    /// Appends the outputter's message. REQUIRES: packed_form() is not null; a process is in output.
+    /// Appends the outputter's message in packed form. REQUIRES: packed_form() is not null; a process is in output.
     void pack_message(MessageBytes& to) const { packed_form()->write(message_, to); }
-    /// Hands a packed message to the inputter. Throws NoMessage. REQUIRES: packed_form() is not null; a process is in
-    /// input.
+    /// Hands a packed message to the inputter. Throws NoMessage if the bytes are damaged. REQUIRES: packed_form() is
+    /// not null; a process is in input.
     void hand_over_packed(std::span<const std::uint8_t> bytes);
     /// Returns whether the next input may be given up.
     bool is_attempted_input() const { return input_attempt_ != nullptr; }
@@ -201,7 +202,7 @@ public:
 protected:
     // The common path of a communication is inlined into the caller; waiting and rare cases are not. If the partner
     // waits in a soft channel, the process copies the message and completes the communication. Otherwise it waits. On a
-    // hard channel it always waits, even if the partner is already in the carrier.
+    // hard channel the process always waits, even if its partner is already waiting.
 
     void begin_output(Process& self, const WireForm& form) {
         if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
@@ -275,8 +276,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// Marks a process as present at an end of the channel, as long as the object exists. The process's message, or its
-    /// slot for a message, is at a fixed address.
+    /// Marks a process as present at an end of the channel, as long as the object exists. For the same time, stores the
+    /// address of the process's message, or of its slot for a message, in `*place`.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -302,8 +303,7 @@ private:
 
     void note_output(ReplayLog&, const WireForm&) const;
     void note_input(ReplayLog&) const;
-    /// Returns the costs of the channel's operations for the process. Null if they are free, or if the carrier charges
-    /// them.
+    /// Returns the costs of the process's operations on the channel; null without an executive or with a carrier.
     const OperationCosts* soft_costs(const Process& self) const {
         const Executive* executive = self.executive();
         return executive && !carrier_ ? &executive->costs() : nullptr;
@@ -344,7 +344,8 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are grouped into cache lines in the order of use. These are needed for each communication.
+    // The members are grouped into cache lines in the order of use. The first members are needed for each
+    // communication.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel
@@ -359,7 +360,7 @@ private:
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     AttemptObserver* output_attempt_ = nullptr; ///< null if the outputter waits without limit
     AttemptObserver* input_attempt_ = nullptr;
     PacketPayload payload_;
@@ -421,7 +422,7 @@ private:
     Channel<T>* channel_ = nullptr;
 };
 
-/// An end of a channel of any protocol, for the declaration that a process will use it.
+/// An end of a channel of any protocol. It is used to declare that a process will use the end.
 class DeclaredEnd {
 public:
     template <class T>

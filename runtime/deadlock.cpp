@@ -131,10 +131,10 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
                 }
     std::vector<std::string> texts;
     for (const auto& [channels, by] : held_up)
-        texts.push_back(fmt::format("{}: waits until {} {} {}, too, because one message goes to all of them{}",
-                                    names_of(channels), names_of(by), by.size() == 1 ? "is" : "are",
-                                    by.front()->output_waits() ? "taken" : "output",
-                                    by.front()->output_waits() ? "" : ", which a program outputs in a PAR"));
+        texts.push_back(fmt::format(
+            "{}: waits until the message is {} on {}, too, because one message goes to all these channels{}",
+            names_of(channels), by.front()->output_waits() ? "taken" : "output", names_of(by),
+            by.front()->output_waits() ? "" : ": output it on all of them in a PAR"));
     return texts;
 }
 

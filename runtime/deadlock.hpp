@@ -34,9 +34,9 @@ struct StuckChannel {
 struct Deadlock {
     std::vector<std::string> cycle; ///< paths of processes in a wait cycle: each waits for the next, the last for the
                                     ///< first; may be empty
-    /// Reasons why processes wait although their partners are ready, such as "a, b: waits until c is taken, too,
-    /// because one message goes to all of them" and "in: waits until sink gives up its message and resets its end, too,
-    /// because source gave it up in the middle".
+    /// Reasons why processes wait although their partners are ready, such as "a, b: waits until the message is taken on
+    /// c, too, because one message goes to all these channels" and "in: waits until sink, too, gives up its message and
+    /// resets its end, because source gave up the message in the middle".
     std::vector<std::string> held_up;
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;

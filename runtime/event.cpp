@@ -81,8 +81,8 @@ void EventQueue::put(Entry entry, std::size_t position) {
     entry.event->position_ = position;
 }
 
-// The heap's address and size are kept in local variables. The compiler cannot know that writes to events leave them
-// unchanged.
+// The heap's address and size are kept in local variables. The compiler cannot know that writes to events do not change
+// the address and the size.
 
 void EventQueue::sift_up(Entry entry, std::size_t position) {
     Entry* const heap = heap_.data();

@@ -24,7 +24,8 @@ protected:
 
 private:
     friend class EventQueue;
-    /// Performs the event. It is called outside of every process, and must not wait or throw.
+    /// Performs the event. The kernel calls this function outside of every process. The function must not wait or
+    /// throw.
     virtual void happen() noexcept = 0;
 
     EventQueue* queue_ = nullptr;

@@ -13,7 +13,7 @@
 namespace placedpar {
 
 /// The costs of a program's operations on an executive, in cycles of its clock. The program states its own work by
-/// compute().
+/// calls of compute().
 struct OperationCosts {
     // Every computation and every communication on a link uses the first members, so they are in the executive's first
     // cache line.
@@ -62,8 +62,8 @@ struct OperationCosts {
 ///
 /// An implementation must keep these rules:
 /// 1. make_ready(p) states that p can continue. The executive calls Kernel::enqueue(p) once, immediately or when p's
-/// turn comes. From the call of enqueue() on, p has the executive, and it continues at the same virtual time.
-/// 2. p keeps the executive until it leaves the executive, to wait or at its end. While it has the executive, p may
+/// turn comes. From the call of enqueue() on, p has the executive, and p continues at the same virtual time.
+/// 2. p keeps the executive until it leaves the executive, to wait or at its end. While p has the executive, p may
 /// compute.
 /// 3. If begin_computing(p) returns false, the executive calls Kernel::enqueue(p) once, when the work is done.
 /// Meanwhile it may execute other processes. If begin_computing(p) returns true, the work is already done:
@@ -100,10 +100,10 @@ public:
 protected:
     Executive(std::string name, const OperationCosts& costs) : name_(std::move(name)), costs_(costs) {}
 
-    /// Returns how much longer the process must compute before its program continues. It is stored in the process, but
-    /// only the process's executive reads and writes it.
+    /// Returns how much longer the process must compute before its program continues. This time is stored in the
+    /// process, but only the process's executive reads and writes it.
     static Time& work_left(Process& p) { return p.work_left_; }
-    /// Returns the shape of the code of this work, which is stored in the same way.
+    /// Returns the shape of the process's current computation. It is stored in the process, too.
     static CodeShape& grain(Process& p) { return p.grain_; }
 
 private:
@@ -116,8 +116,9 @@ private:
 /// of the computation. Throws std::logic_error as Executive::begin_computing does.
 void compute(Cycles, const CodeShape& = {});
 
-/// Stops the running process for ever, as occam's STOP does, while others continue. Any process that waits for it,
-/// including the parent of its PAR, waits for ever. A run that ends with stopped processes ends as in a deadlock.
+/// Stops the running process for ever, as occam's STOP does, while others continue. Any process that waits for the
+/// stopped process, including the parent of its PAR, waits for ever. A run that ends with stopped processes ends as in
+/// a deadlock.
 [[noreturn]] void stop(const SourceLocation& = SourceLocation::current());
 
 /// Charges the running process for an operation. `cost` selects from the costs of the process's executive, as in

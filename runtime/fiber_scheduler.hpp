@@ -22,7 +22,8 @@ public:
 
     Context* host() const { return host_; }
 
-    /// States that the next fiber that Boost announces belongs to a new worker.
+    /// States that the next fiber that Boost announces belongs to a new worker, whose stack processes run on
+    /// (runtime/worker.hpp).
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
 

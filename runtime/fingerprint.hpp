@@ -9,7 +9,7 @@ namespace placedpar {
 class Fingerprint {
 public:
     Fingerprint() = default;
-    /// Goes on from a value() of another fingerprint.
+    /// Continues from a value() of another fingerprint.
     explicit Fingerprint(std::uint64_t value) : hash_(value) {}
 
     void mix(std::uint64_t word) {

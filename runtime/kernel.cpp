@@ -57,7 +57,7 @@ const char* name_of(Ending ending) {
 constinit thread_local Kernel* Kernel::current_ = nullptr;
 
 void Kernel::refuse_outside_a_run() {
-    throw std::logic_error("only a process of a simulation that runs can communicate, compute or wait");
+    throw std::logic_error("only a process of a running simulation can communicate, compute or wait");
 }
 
 [[gnu::cold, gnu::noinline]] void Kernel::unwind_running() {
@@ -190,7 +190,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
 
 [[gnu::cold, gnu::noinline]] void Kernel::read_wall_clock() { hot_.now = std::max(hot_.now, surroundings_->now()); }
 
-/// Takes the messages of other kernels, and lets the events happen that are due.
+/// Takes the messages of other kernels, and performs the events that are due.
 [[gnu::noinline]] void Kernel::look_around() {
     read_wall_clock();
     hot_.between_programs = true;
@@ -201,7 +201,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
     std::swap(hot_.ready, native_.woken);
     hot_.between_programs = false;
     if (hot_.trace)
-        read_wall_clock(); // a process that a message has woken continues at a time after the sending
+        read_wall_clock(); // a process that a message has woken continues later than the message was sent
     if (Process* const woken = native_.turns.next(native_.woken, !hot_.ready.empty()))
         hot_.ready.push_front(*woken);
 }

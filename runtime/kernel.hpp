@@ -37,8 +37,8 @@ struct EndWorker {
     void operator()(Worker*) const;
 };
 
-/// Thrown through each process that still waits when its simulation is over, so that its stack is unwound. A process
-/// that catches everything must let this exception pass. No destructor may communicate, compute or wait.
+/// Thrown through each process that still waits when its simulation is over, so that the process's stack is unwound. A
+/// process that catches everything must let this exception pass. No destructor may communicate, compute or wait.
 class Unwinding {};
 
 /// The process that threw an exception, with the time, and the place of its last wait ("slave.cpp:57"; empty if it
@@ -179,7 +179,7 @@ public:
     /// Returns the surroundings of a native run; null in virtual time.
     Surroundings* surroundings() const { return surroundings_; }
     std::uint32_t number() const { return number_; }
-    /// Brings now() up to the wall clock. Does nothing in virtual time.
+    /// Sets now() to the time of the wall clock. Does nothing in virtual time.
     void look_at_clock() {
         if (surroundings_) [[unlikely]]
             read_wall_clock();

@@ -147,7 +147,8 @@ private:
         return Lanes(results);
     }
 
-    // The results are `a > b ? a : b` and `a < b ? a : b`. The code names the instruction where GCC 12 misses it.
+    // The results are `a > b ? a : b` and `a < b ? a : b`. Where GCC 12 does not choose the best instruction, the code
+    // names it.
     [[gnu::always_inline]] static void take_greater(const Register& a, const Register& b, Register& result) {
         result = a > b ? a : b;
     }

@@ -25,10 +25,10 @@ public:
     /// REQUIRES: the bytes outlive this object.
     explicit PackedReader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
     std::size_t left() const { return left_.size(); }
-    /// Throws NoMessage if fewer bytes are left.
+    /// Throws NoMessage if fewer than `count` bytes are left.
     std::span<const std::uint8_t> take(std::size_t count) {
         if (count > left_.size())
-            throw NoMessage("a message that is cut off");
+            throw NoMessage("the message is cut off");
         return std::exchange(left_, left_.subspan(count)).first(count);
     }
 
@@ -36,10 +36,11 @@ private:
     std::span<const std::uint8_t> left_;
 };
 
-/// States how values travel to another copy of this program: as bytes that hold the whole value, in the order of bytes
-/// of this computer. (ByteForm, for other programs, may leave out what these do not need.) Values without addresses
-/// are packed as they are, and so are std::vector, std::variant, std::optional, std::string and shared constants of
-/// values that can be packed. A structure of such values names its members, before a channel carries it:
+/// States how values travel to another copy of this program: as bytes that hold the whole value, in the byte order of
+/// this computer. (ByteForm, which serves other programs, may leave out parts that these programs do not need.) Values
+/// without addresses are copied byte by byte. A std::string can be packed. A std::vector, std::variant, std::optional
+/// or std::shared_ptr<const T> can be packed if its contents can. For a structure of such values, list the members
+/// before a channel carries the structure:
 ///
 ///     struct Report {
 ///         std::vector<double> values;
@@ -86,7 +87,7 @@ struct PackedForm<T> {
     }
 };
 
-/// Packs the named members of a structure, which are all that have meaning.
+/// Packs the listed members of a structure. Members that are not listed are not transferred.
 template <class T, auto... members>
 struct PackedMembers {
     static void write(const T& value, MessageBytes& to) { (write_member(value.*members, to), ...); }
@@ -117,7 +118,7 @@ struct PackedForm<std::vector<T>> {
     static std::vector<T> read(PackedReader& from) {
         const auto count = PackedForm<std::uint64_t>::read(from);
         if (count > from.left()) // each value has at least one byte
-            throw NoMessage("an array of " + std::to_string(count) + " elements");
+            throw NoMessage("an array of " + std::to_string(count) + " elements is longer than the message");
         std::vector<T> values;
         values.reserve(count);
         for (std::uint64_t i = 0; i < count; ++i)
@@ -146,7 +147,7 @@ private:
         if constexpr (index + 1 < sizeof...(Alternatives))
             return read_alternative<index + 1>(tag, from);
         else
-            throw NoMessage("the tag " + std::to_string(tag) + ", of an alternative that does not exist");
+            throw NoMessage("no alternative has the tag " + std::to_string(tag));
     }
 };
 
@@ -164,7 +165,7 @@ struct PackedForm<std::string> {
 
 namespace detail {
 
-/// Packs what may be absent: a byte that states whether it is there, and the value.
+/// Packs a value that may be absent: one byte that states whether the value is present, then the value.
 template <class Holder, class T, Holder (*hold)(T)>
 struct PackedIfThere {
     static void write(const Holder& holder, MessageBytes& to) {
@@ -196,13 +197,13 @@ template <Packable T>
 void pack(const T& value, MessageBytes& to) {
     PackedForm<T>::write(value, to);
 }
-/// Throws NoMessage unless the bytes are exactly one value.
+/// Unpacks a value. Throws NoMessage unless the bytes are exactly one value.
 template <Packable T>
 T unpack(std::span<const std::uint8_t> bytes) {
     PackedReader from(bytes);
     T value = PackedForm<T>::read(from);
     if (from.left() > 0)
-        throw NoMessage("a message that is followed by further bytes");
+        throw NoMessage("further bytes follow the end of the message");
     return value;
 }
 
@@ -212,7 +213,7 @@ struct AnyPackedForm {
     void (*read)(std::span<const std::uint8_t>, void* slot);
 };
 
-/// Returns null if messages of the type cannot be packed.
+/// Returns the packed form of messages of a type; null if they cannot be packed.
 template <class T>
 const AnyPackedForm* packed_form_of() {
     if constexpr (Packable<T>) {

@@ -28,7 +28,7 @@ void run_in_parallel(std::vector<Component>, const SourceLocation&);
 /// Returns the priority of the running process, which its components inherit.
 Priority own_priority();
 
-/// The first component of a PAR. A call of `par` converts a body to this type, which records the place of the call.
+/// The first component of a PAR. The conversion of a body to this type records the place of the call of `par`.
 struct FirstComponent {
     template <ComponentBody Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())

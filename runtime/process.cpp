@@ -71,7 +71,7 @@ inline void Process::note_end_of_wait() {
 
 inline void Process::finish_wait(Process* successor) {
     {
-        // Runs also if the wait ends because the run ends.
+        // This destructor also runs if the run ends during the wait.
         struct End {
             ~End() { process.goes_on(); }
             Process& process;
@@ -109,7 +109,8 @@ void Process::wait_for(Activity activity, std::span<const AnyChannel* const> cha
     finish_wait();
 }
 
-/// Begins a computation. Returns whether it is done at once. A process that is not placed computes in no time.
+/// Begins a computation. Returns whether the computation is already done. A process that is not placed computes in no
+/// time.
 inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) {
     kernel_.throw_if_unwinding();
     if (!executive_)
@@ -136,7 +137,7 @@ bool Process::begin_communication() {
 [[gnu::flatten]] void Process::compute_and_communicate(Communication& communication, Cycles cycles) {
     bool has_waited = false;
     {
-        // The run may end during the computation or during the wait.
+        // This destructor also runs if the run ends during the computation or the wait.
         struct End {
             ~End() {
                 process.communication_ = nullptr;

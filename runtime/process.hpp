@@ -28,7 +28,7 @@ struct CodeShape {
     /// cycles (databook).
     Cycles instruction{1};
     /// Number of words of code and data that the computation reads or writes outside the chip. The computation's cycles
-    /// include each of them as an access on the chip; the executive adds the difference.
+    /// count each such access as an access on the chip; the executive adds the difference.
     std::int64_t words_outside = 0;
 };
 
@@ -85,9 +85,10 @@ protected:
 
 private:
     friend class Process;
-    /// Called at the process's turn. Returns whether the process waits, after a call of Process::begin_wait. If it does
-    /// not wait, its program continues. The kernel calls this function like an event, on the stack of any process;
-    /// Kernel::running() returns the process that communicates. The function must not wait in any other way.
+    /// Called at the process's turn. Returns whether the process now waits; in this case the function has called
+    /// Process::begin_wait. If the process does not wait, its program continues. The kernel calls this function like an
+    /// event, on the stack of any process; Kernel::running() returns the process that communicates. The function must
+    /// not wait in any other way.
     virtual bool begin(Process&) noexcept = 0;
 };
 
@@ -125,7 +126,7 @@ public:
     bool ended() const { return activity_ == Activity::ended; }
     /// Returns whether the process has had a turn. REQUIRES: the process has not ended.
     bool has_begun() const { return worker_ != nullptr; }
-    /// Makes the process part of the machine instead of the program. A run does not wait for its end.
+    /// Makes the process part of the machine instead of the program. A run does not wait for the process's end.
     void serve_machine();
     bool serves_machine() const { return machine_; }
     /// Makes the process record its actions in the history, or repeat the actions that the history holds. REQUIRES: the
@@ -143,8 +144,7 @@ public:
     }
     /// Returns whether the process's last wait has a time limit.
     bool awaits_timer() const { return awaits_timer_; }
-    /// States whether the process's next waits may be ended by a time limit or by another process, if their partner
-    /// does not come.
+    /// States whether a time limit or another process may end the process's next waits if the partner does not come.
     void may_give_up(bool may) { may_give_up_ = may; }
     /// Returns the place in its program at which the process last waited.
     const SourceLocation& place_in_program() const { return where_; }
@@ -160,11 +160,11 @@ public:
     /// running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
-    /// Computes on the executive. Throws as Executive::begin_computing, and Unwinding when the simulation is over.
-    /// REQUIRES: this process is running, and is placed.
+    /// Computes on the executive. Throws the exceptions of Executive::begin_computing, and Unwinding when the
+    /// simulation is over. REQUIRES: this process is running, and is placed.
     void compute(Cycles, const CodeShape&);
-    /// Computes for the given cycles if the process is placed, then begins the communication, and waits until it is
-    /// over. Throws as compute(). REQUIRES: this process is running.
+    /// Computes for the given cycles if the process is placed, then begins the communication, and waits until the
+    /// communication is over. Throws the exceptions of compute(). REQUIRES: this process is running.
     void compute_and_communicate(Communication&, Cycles);
     /// Begins a wait in a communication: from now on the process waits until it is made ready. Records the reason and
     /// the place for reports.
@@ -190,7 +190,8 @@ private:
     void goes_on();
     void stands_still();
 
-    // The members are in the order of use, in few cache lines. These are needed for each turn and each wait.
+    // The members are in the order of use, in few cache lines. The first members are needed for each turn and each
+    // wait.
     Kernel& kernel_;
     Worker* worker_ = nullptr;              ///< fiber that runs the body; null before the first turn
     const std::byte* stack_ends_ = nullptr; ///< end of the used part of the stack; null if not recorded
@@ -215,7 +216,7 @@ private:
     Time work_left_{};  ///< see Executive::work_left
     CodeShape grain_{}; ///< see Executive::grain
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     ReplayLog* history_ = nullptr;
     std::span<const AnyChannel* const> alternatives_; ///< set while the process waits for several channels
     std::string name_;
@@ -260,8 +261,8 @@ class TurnsOfWoken {
 public:
     static constexpr unsigned most_in_a_row = 8;
 
-    /// Takes the woken process that has the next turn from the queue. Returns null if another one has it. `others`:
-    /// other processes are ready.
+    /// Removes the next woken process from the queue and returns it. Returns null if the queue is empty, or if one of
+    /// the other processes has the next turn. `others`: other processes are ready.
     Process* next(ProcessQueue& woken, bool others) {
         Process* const p = others && in_a_row_ >= most_in_a_row ? nullptr : woken.pop_front();
         in_a_row_ = p ? in_a_row_ + 1 : 0;

@@ -79,13 +79,13 @@ inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Varian
 /// The types that a channel can carry: values of a fixed size, counted arrays of them, variants, and types with a
 /// wire_form(). Processes share no memory, so pointers, references, spans and views are excluded. Types of variable
 /// size without a wire_form(), such as std::string, are excluded, too. Messages must be movable without throwing.
-/// Events often move them, and an exception thrown there would belong to no process.
+/// Events often move messages, and an exception thrown in an event would belong to no process.
 template <class T>
 concept Protocol = std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> &&
                    std::is_nothrow_move_constructible_v<T> && detail::is_message<T>;
 
 /// Returns the form of a message on a wire. The protocol of a channel is the C++ type of its messages, and this type
-/// determines the form. A type of fixed size needs no further statement; other types have a member `WireForm
+/// determines the form. For a type of fixed size nothing must be declared; other types have a member `WireForm
 /// wire_form() const`.
 template <class T>
 WireForm wire_form(const T& message) {

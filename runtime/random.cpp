@@ -96,7 +96,7 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without (bug 105593).
+    // Uses the form with a mask, because GCC 12 gives a wrong warning for the form without a mask (bug 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(
@@ -155,7 +155,7 @@ void RandomStream::fill(std::span<result_type> numbers) {
         numbers = numbers.subspan(count);
     };
     take();
-    // Many numbers are computed directly into their places, which keeps wide registers busy.
+    // As many numbers as possible are computed directly into `numbers`, so that wide registers are used fully.
     if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
         compute_blocks(counter_, key_, straight / 4, numbers.data());
         numbers = numbers.subspan(straight);

@@ -1,7 +1,7 @@
 #pragma once
 
-// The library's vector instructions are switched off. They give no speed here, and without them the header compiles in
-// half the time.
+// Random123's vector instructions are switched off. They would not make this code faster, and without them the header
+// compiles in half the time.
 #ifndef R123_USE_SSE
 #define R123_USE_SSE 0
 #endif
@@ -17,8 +17,9 @@
 namespace placedpar {
 
 /// A stream of random numbers. It depends only on the run's seed and the path of the process. So it is the same in
-/// every placement, for every order of events and any number of processors. Counter-based, Philox 4x32-10 (J. Salmon et
-/// al., "Parallel random numbers: as easy as 1, 2, 3", 2011). Satisfies std::uniform_random_bit_generator.
+/// every placement, for every order of events and any number of processors. The generator is counter-based: Philox
+/// 4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", 2011). Satisfies
+/// std::uniform_random_bit_generator.
 class RandomStream {
 public:
     using result_type = std::uint32_t;
@@ -37,7 +38,7 @@ public:
 
     /// Returns how many numbers have been drawn so far.
     std::uint64_t drawn() const;
-    /// Goes to the number that follows the first `drawn` numbers of the stream.
+    /// Makes the next draw return the number that follows the first `drawn` numbers of the stream.
     void go_to(std::uint64_t drawn);
 
     /// Returns a number uniform in [0, 1), a multiple of 2^-32.
@@ -56,7 +57,7 @@ public:
     bool chance(double probability) { return uniform() < probability; }
 
 private:
-    /// The number of numbers that are computed ahead, in 16 blocks of 4. So wide registers are used fully.
+    /// How many numbers are computed ahead: 16 blocks of 4, which fill even the widest registers.
     static constexpr std::size_t ahead = 64;
     using Numbers = std::array<result_type, ahead>;
 

@@ -16,7 +16,7 @@ public:
         histories = 32,      ///< a process keeps a history
         shuffled = 64,       ///< the ready queue is shuffled
         unguarded = 128,     ///< some stacks have no guard page
-        native = 256         ///< time is that of the wall clock, and other kernels send messages
+        native = 256         ///< the run uses the wall clock, and other kernels send messages
     };
 
     /// Returns whether any condition except `histories` holds. Only processes that keep a history test `histories`.

@@ -17,13 +17,13 @@ namespace placedpar {
 //
 // 1. A channel may be soft. If it is hard, it must be alone on its direction of a link; a link adapter may be at the
 // end of the link. A channel that travels in packets throws std::logic_error, as the toolset does for virtual channels.
-// So do a broadcast channel and a channel through the memory of a bus master.
+// A broadcast channel and a channel through the memory of a bus master throw this exception, too.
 // 2. A message that was given up is never received later. However, a message that the sender gave up may already have
 // been received, if only the acknowledge of its last byte was lost.
 // 3. If a message was given up at an end of a hard channel, this end must be reset before it is used again. Otherwise
-// it throws std::logic_error. If the message was partly transferred, the other end must be reset as well; until then
-// nothing is transferred.
-// 4. A soft channel keeps nothing of the message, and a reset changes nothing.
+// the end throws std::logic_error. If the message was partly transferred, the other end must be reset as well; until
+// then nothing is transferred.
+// 4. A soft channel keeps no part of a message that was given up, and a reset changes nothing.
 // 5. An attempt costs the communication's usual cycles and OperationCosts::attempt. A reset costs
 // OperationCosts::reset_channel.
 
@@ -31,7 +31,7 @@ namespace placedpar {
 class Attempt final : Event, Listener, AttemptObserver {
 public:
     enum class End { output, input };
-    /// Charges for the attempt. Throws std::logic_error if the channel cannot give up a message.
+    /// Charges the running process for the attempt. Throws std::logic_error if the channel cannot give up a message.
     Attempt(AnyChannel&, End);
     ~Attempt();
     Attempt(const Attempt&) = delete;

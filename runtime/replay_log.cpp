@@ -62,8 +62,8 @@ void ReplayLog::end() {
         diverge();
 }
 
-/// Takes the number of observations from the session's `room`. If too little is left, marks the run as one that cannot
-/// be repeated, and stops recording.
+/// Subtracts the number of observations from the session's `room`. If too little is left, marks the run as one that
+/// cannot be repeated, and stops recording.
 void ReplayLog::take_room(std::size_t readings) {
     if (course_.room < readings)
         course_.can_be_repeated = false;
@@ -87,7 +87,7 @@ std::int64_t ReplayLog::observed_then(Action what) {
         note(what, 0);
         return original_->seen_[seen_again_++].value;
     }
-    constexpr std::uint64_t very_often = 100'000; // as Kernel::unchecked_readings
+    constexpr std::uint64_t very_often = 100'000; // the same as Kernel::unchecked_readings
     if (what != Action::now || ++asked_in_vain_ > very_often)
         diverge();
     diverge_quietly();

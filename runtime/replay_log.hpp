@@ -38,8 +38,8 @@ struct ReplaySession {
 /// order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple language
 /// for parallel programming, 1974.)
 ///
-/// REQUIRES of the program: the actions and messages of a process follow from its messages and from the observations
-/// recorded here. Two processes, even components of one PAR, share no data that one of them changes.
+/// REQUIRES of the program: the actions and outputs of a process depend only on the messages that it inputs and on the
+/// observations recorded here. Two processes, even components of one PAR, share no data that one of them changes.
 class ReplayLog {
 public:
     enum class Action : std::uint64_t {
@@ -61,7 +61,7 @@ public:
     /// Makes a history that records the actions of a process. REQUIRES: `name` is different for each process of the
     /// session; the session outlives the history.
     ReplayLog(ReplaySession& course, std::uint64_t name) : course_(course), name_(name) {}
-    /// Makes a history that repeats the original. REQUIRES: the original outlives it, and does not change.
+    /// Makes a history that repeats the original. REQUIRES: the original outlives this history, and does not change.
     ReplayLog(ReplaySession& course, const ReplayLog& original)
         : course_(course), name_(original.name_), original_(&original) {
         next_component_ = original.components_.begin();
@@ -74,10 +74,10 @@ public:
 
     // The next functions are called for the process's actions, in order.
 
-    /// Records an action. `what` is a number below 2^56 or a hash, of which 56 bits suffice. `how` has details; all
-    /// actions of a kind have the same number of words. Throws ReplayDivergence if the process acts more often than its
-    /// original, or if any process has departed. A different action is detected at the next observation (observe()) or
-    /// at the end of the process.
+    /// Records an action. `what` is a number below 2^56, or a hash; 56 bits of a hash are enough. `how` has details, in
+    /// the same number of words for all actions of a kind. Throws ReplayDivergence if the process acts more often than
+    /// its original, or if any process has departed from its history. A different action is detected at the next
+    /// observation (observe()) or at the end of the process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
@@ -92,9 +92,9 @@ public:
     void record_quietly(Action, std::uint64_t what);
     /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
     /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed. A reading of the clock
-    /// then returns 0 instead of throwing, because destructors may read the clock. After 100,000 such readings it
-    /// throws, too.
+    /// original did not make this observation at this point, or if any process has departed from its history. In these
+    /// cases a reading of the clock returns 0 instead of throwing, because destructors may read the clock. Only after
+    /// 100,000 such readings does it throw.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)

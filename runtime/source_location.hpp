@@ -6,9 +6,9 @@
 
 namespace placedpar {
 
-/// A place in the program. Reports use it to name the statement that waits. std::source_location was rejected, because
-/// Clang before version 15 cannot compile it. A program may be compiled by Clang even if the libraries that it links
-/// were compiled by GCC.
+/// A place in the program. Reports use it to name the statement at which a process waits. std::source_location was
+/// rejected, because Clang before version 15 cannot compile it. A program may be compiled by Clang even if the
+/// libraries that it links were compiled by GCC.
 struct SourceLocation {
     const char* file = "";  ///< as passed to the compiler
     std::uint32_t line = 0; ///< 0 if no place is known

@@ -19,10 +19,10 @@ std::size_t piece_bytes() { return stacks_in_a_piece * slice_bytes(); }
 /// Linux allows.
 constexpr std::size_t most_protected = 16'000;
 /// MADV_GUARD_INSTALL of Linux 6.13, which Debian 12's headers do not define. Access to a guarded page raises SIGSEGV,
-/// as with mprotect, but does not split the mapping.
+/// as with mprotect, but the guard does not split the mapping.
 constexpr int guard_install = 102;
 
-/// Guards a zone. Returns whether this was possible. `number`: zones guarded before.
+/// Guards a zone. Returns whether this was possible. `number`: how many zones have been guarded before.
 bool guard_zone(std::byte* zone, std::size_t number) {
     if (SwitchedStack::is_watched())
         return false;

@@ -16,20 +16,21 @@ struct Stack {
     /// Returns the size of a stack. Only the pages that a process touches take memory. AddressSanitizer's red zones
     /// make stack frames several times larger.
     static std::size_t bytes() { return SwitchedStack::is_watched() ? 4 * usual_bytes : usual_bytes; }
-    /// Larger than most arrays on a stack, whose elements may be written in any order.
+    /// The size of the zone. It is larger than most arrays. If an array does not fit on the stack, a write to it
+    /// therefore reaches the zone, whichever element is written first.
     static constexpr std::size_t zone_bytes = 64 * 1024;
 
     /// Returns whether a fault at the address is an overflow of this stack. This is so if the address is in the guarded
     /// zone. If the zone is not guarded, it is so if the address is below the zone and the zone has been written to.
     bool was_left_for(const void* address) const;
-    /// Returns whether the zone's 64 bytes next to the stack, at first zeros, have been overwritten. For stacks that
-    /// are not guarded.
+    /// Returns whether the 64 bytes of the zone next to the stack, which are zeros at first, have been overwritten.
+    /// Used for stacks that are not guarded.
     bool has_overflowed() const;
 };
 
 /// The memory of many stacks, reserved in large pieces. The operating system provides pages when they are touched. A
 /// thread keeps the first piece of an arena for its next arena, because the stacks in this piece are already guarded
-/// and touched. To do this again would take a tenth of a short run's time.
+/// and touched. To guard and touch them again would take a tenth of a short run's time.
 class StackArena {
 public:
     StackArena() = default;

@@ -12,8 +12,8 @@ class Kernel;
 struct Deadlock;
 
 /// Returns for how long a kernel that no message can wake pauses before it looks for messages again. `waited`: for how
-/// long it has had nothing to do. An eighth of this time makes a wait only a little longer, and an idle kernel uses
-/// hardly any of a core.
+/// long the kernel has had nothing to do. Because the pause is an eighth of this time, it makes a wait only a little
+/// longer, and an idle kernel uses hardly any of a core's time.
 constexpr Time pause_after(Time waited) {
     constexpr Time shortest = std::chrono::microseconds(20), longest = std::chrono::milliseconds(4);
     return std::clamp(waited / 8, shortest, longest);
@@ -31,11 +31,13 @@ public:
     virtual void take_arrivals() noexcept = 0;
 
     enum class Rest {
-        over,   ///< something has come, or the time has come
-        quiet,  ///< no kernel of the run has anything to do any more, but processes wait for that: the work is over
-        forever ///< no kernel has anything to do any more, and no process waits for that: the run is over
+        over,   ///< a message or an interruption has come, or `due` has been reached
+        quiet,  ///< no kernel has anything to do any more, but some processes wait for the end of the work: the work is
+                ///< over
+        forever ///< no kernel has anything to do any more, and no process waits for the end of the work: the run is
+                ///< over
     };
-    /// Waits until something comes, `due`, or an interruption of the kernel. Called when no process is ready.
+    /// Waits until a message comes, `due` is reached, or the kernel is interrupted. Called when no process is ready.
     /// `awaits_end`: processes of the kernel wait for the end of the work.
     virtual Rest rest(Time due, bool awaits_end) = 0;
 
@@ -44,7 +46,8 @@ public:
     virtual void wait_for_stop(bool failed) = 0;
     /// Returns all kernels of the run, by their numbers.
     virtual std::vector<const Kernel*> kernels() const = 0;
-    /// Returns when all kernels have called it: none needs the processes of another any more.
+    /// Returns when all kernels have called this function. From then on, no kernel needs the processes of another
+    /// kernel.
     virtual void wait_for_reports() = 0;
 };
 

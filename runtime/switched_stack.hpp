@@ -4,10 +4,10 @@
 
 namespace placedpar {
 
-/// Reports every switch from one fiber's stack to another to AddressSanitizer or ThreadSanitizer. Without this the one
-/// would report an exception as a jump out of the stack, and the other would lose the calls of each fiber. The class
-/// tests at run time whether a sanitizer is present: a program compiled with the sanitizer may link libraries compiled
-/// without it. Without a sanitizer, the class does nothing.
+/// Reports every switch from one fiber's stack to another to AddressSanitizer or ThreadSanitizer. Without these
+/// reports, AddressSanitizer would report an exception as a jump out of the stack, and ThreadSanitizer would mix up the
+/// calls of different fibers. The class tests at run time whether a sanitizer is present: a program compiled with the
+/// sanitizer may link libraries compiled without it. Without a sanitizer, the class does nothing.
 ///
 /// 1. Call lies_at() once the stack's memory is known, and gone() when the stack is not used any more.
 /// 2. To switch, call leave_for(the other stack), then switch.

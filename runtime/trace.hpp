@@ -9,7 +9,8 @@
 
 namespace placedpar {
 
-/// A place is in use from `since` on: a direction of a link that a channel uses, or the track of a bus or device.
+/// A place is in use from `since` on. A place is a direction of a link, or a row that the trace shows for a bus or a
+/// device.
 struct PlaceTaken {
     const std::string& place;
     const std::string& subject;          ///< a channel, what the bus carries, or a master that waits for the bus
@@ -29,7 +30,8 @@ struct PlaceLeft {
 /// A channel for which a process of a booted program waits.
 struct AwaitedByProgram {
     std::string channel; ///< "root.#80000100", or a direction of a link
-    std::string partner; ///< the process that used the other end last, or that direction of a link; "" if unknown
+    std::string partner; ///< the process that used the other end last; for a direction of a link, the same name; "" if
+                         ///< unknown
 };
 
 /// A process of a program that an emulated transputer executes, or of a native run that is over, changes its activity.
@@ -48,7 +50,7 @@ struct MessagePart {
     const std::string& channel;
     std::uint64_t message;      ///< number of the message in the run
     const std::string& process; ///< the outputter or the inputter
-    const std::string& partner; ///< the other one, or the process of which it is a component; "" if unknown
+    const std::string& partner; ///< the process at the other end, or its ancestor at the outermost level; "" if unknown
     bool is_input;              ///< the inputter's part of the message
 };
 
@@ -63,10 +65,10 @@ class TraceSink {
 public:
     /// States that a process changes its activity:
     ///   starting          The process exists; its program begins when its turn comes. For a process that was made
-    ///                     before the run, this notice comes when the run begins, perhaps after one of `ready`.
+    ///                     before the run, this notice comes when the run begins, perhaps after a notice `ready`.
     ///   delayed, ...      The process waits. Its activity and awaited_channels() say for what.
     ///   ready             The wait or the computation of the process is over, or the process has lost its executive.
-    ///                     On an executive there is no such notice at the end of a PAR. There is none for a delay
+    ///                     A placed process has no such notice at the end of a PAR. No process has one for a delay
     ///                     without a wait.
     ///   executing         A wait is over, and the program runs again. The process's activity and awaited_channels()
     ///                     are still those of the wait. In a native run there is such a notice also when the process
@@ -76,10 +78,11 @@ public:
     ///   moving            The process moves words over a bus, or waits for the bus.
     ///   ended             This is the last notice about the process.
     virtual void turns(const Process&, Activity, Time) = 0;
-    /// States what a process that is known by its name does. A name can begin again after it has ended.
+    /// States the activity of a process that is known only by its name. A name can be used again after its process has
+    /// ended.
     virtual void program_turns(const ProgramTurn&, Time) {}
-    /// States that one of two processes that are known by their names has done its part of a message. The two parts
-    /// come in any order.
+    /// States that one of two processes that are known by their names has done its part of a message. The notices of
+    /// the two parts come in any order.
     virtual void program_communicates(const MessagePart&, Time) {}
     /// States that a message was transferred from the channel's outputter to its inputter.
     virtual void communicated(const AnyChannel&, Time) = 0;
@@ -87,7 +90,7 @@ public:
     virtual void leaves(const PlaceLeft&, Time now) = 0;
     /// States that the work is over. The remaining processes are still in their waits. No notice follows.
     virtual void over(Time) = 0;
-    /// States that the log ends here for the given reason, and not the work; in place of over().
+    /// States that the log ends here for the given reason, although the work continues. Called instead of over().
     virtual void ends_early(Time, const std::string&) {}
 
 protected:

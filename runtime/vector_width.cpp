@@ -33,7 +33,8 @@ std::size_t vector_width() { return width_in_use().load(std::memory_order_relaxe
 void use_vector_width(std::size_t width) {
     if (std::ranges::find(vector_widths, width) == vector_widths.end() || width > widest_vector_width())
         throw std::invalid_argument(fmt::format(
-            "vectors of {} doubles, expected 2, 4 or 8 and at most this processor's {}", width, widest_vector_width()));
+            "a vector width of {} doubles, expected 2, 4 or 8, and at most {}, the widest that this processor has",
+            width, widest_vector_width()));
     width_in_use() = width;
 }
 

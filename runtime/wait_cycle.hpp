@@ -8,7 +8,7 @@
 namespace placedpar {
 
 /// Follows waits from process to process, depth first, until the search returns to a process on its path.
-/// `Awaited` is called with a process, and returns those for which it waits.
+/// `Awaited` is called with a process, and returns the processes for which that process waits.
 template <class Process, class Awaited>
 class CycleSearch {
 public:

@@ -28,8 +28,8 @@ public:
     Worker& operator=(const Worker&) = delete;
     void resume() { context_->resume(); }
     /// Records how much of the leaving process's stack is in use, and prefetches the data that the next process needs
-    /// first. This saves time if there are so many workers that their stacks are in no cache. REQUIRES: the caller runs
-    /// on the stack of the leaving process, which may be null or have ended.
+    /// first. This saves time if there are too many workers for their stacks to stay in a cache. REQUIRES: the caller
+    /// runs on the stack of the leaving process. `leaves` is null if no process leaves; the process may have ended.
     [[gnu::noinline]] static void fetch_stack(Process* leaves, const Process& next);
 
     Process* process = nullptr; ///< process whose body the worker runs, or will run next

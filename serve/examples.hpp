@@ -6,7 +6,7 @@
 
 namespace placedpar::serve {
 
-/// Texts by their path below a folder, such as "csp/deadlock/deadlock.cfs".
+/// Holds texts by their paths below a folder, such as "csp/deadlock/deadlock.cfs".
 using Texts = std::map<std::string, std::string>;
 
 /// Reads the netlists, configurations and programs in occam in the folder of examples, and the files that they include.

@@ -11,16 +11,16 @@ namespace placedpar::serve {
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
 ///   "files"     {name: text}; no other file is read
-///   "seed"      the seed of the run; 1 if it is missing
+///   "seed"      the seed of the run; 1 if this member is missing
 ///   "exercise"  the number of the exercise that "main" solves
-///   "expected"  what a solution prints, if the task is not an exercise of the course
-///   "keys"      the keys that are pressed for a program; none if it is missing
+///   "expected"  the output of a correct solution, if the task is not an exercise of the course
+///   "keys"      the keys that the program receives; none if this member is missing
 ///
 /// The answer to "check" has only "faults". Any other answer has "ended" and, by the value of "ended", these members:
 ///
 ///   "refused"           "refused" (the reason, as the command line prints it), "faults"; there was no run
 ///   "failed"            "refused" (the reason); the run ended by an exception
-///   of name_of(Ending)  "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
+///   a name of an Ending "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
 ///                       reason), and, if the job asks for it, "explanation" or "listing"
 ///   "solved", "not solved", "interrupted", for an exercise
 ///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its

@@ -11,13 +11,13 @@
 
 namespace placedpar::serve {
 
-/// A task that many students have solved. Either `exercise` or `expected` is given.
+/// Describes a task that many students have solved. Either `exercise` or `expected` is given.
 struct MarkedTask {
     std::string exercise;                ///< number of an exercise of the course, such as "3.2"
     std::optional<std::string> expected; ///< output of a correct solution
 };
 
-/// The result of a submission.
+/// Holds the result of a submission.
 struct Mark {
     std::string file; ///< path below the folder of submissions
     /// "solved", "wrong output", "deadlock", "too long" (simulated), "too much output", "failed", "refused" (with
@@ -29,10 +29,10 @@ struct Mark {
 };
 
 /// Returns the programs in occam (.occ) in the folder and its subfolders, as paths below the folder, sorted. Throws
-/// UserError if there is none, or if the folder cannot be read.
+/// UserError if the folder has no such program, or cannot be read.
 std::vector<std::filesystem::path> submissions_in(const std::filesystem::path& folder);
 
-/// Returns the names of the folders in the folder that have no submission inside, sorted.
+/// Returns the names of the subfolders of `folder` that contain no submission, sorted.
 std::vector<std::filesystem::path> folders_without_submission(const std::filesystem::path& folder,
                                                               const std::vector<std::filesystem::path>& submissions);
 

@@ -6,9 +6,9 @@ namespace placedpar::serve {
 
 // These functions return parts of the page. The build embeds the files: see CMakeLists.txt.
 
-std::string frame_html(); ///< has placeholders: @STYLE@ and @PROGRAM@
-std::string style_css();  ///< CodeMirror's style, then ours
-std::string program_js(); ///< CodeMirror of Debian's package libjs-codemirror, then our own JavaScript
+std::string frame_html(); ///< the page's HTML with the placeholders @STYLE@ and @PROGRAM@
+std::string style_css();  ///< CodeMirror's style, then the page's own style
+std::string program_js(); ///< CodeMirror from Debian's package libjs-codemirror, then the page's own JavaScript
 
 /// Returns the whole page.
 std::string page_html();

@@ -34,13 +34,13 @@ constexpr std::uint64_t grace_s = 3; ///< time from the interruption of a run un
 void connect(Stream& to_read, Stream& to_write) {
     std::array<int, 2> ends;
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        throw UserError("no process can be started for a run: too many files are open");
+        throw UserError("no process can be started for a run: too many files are open; try again later");
     to_read.assign(ends[0]);
     to_write.assign(ends[1]);
 }
 
-/// Starts this program for one job. It inherits these ends as standard input and output, and no other file. Its
-/// standard error is discarded, because it could fill the operator's terminal or log.
+/// Starts a process of this program for one job. The process inherits `input` and `output` as standard input and
+/// output, and no other file. Its standard error is discarded, because it could fill the operator's terminal or log.
 pid_t start(int input, int output, const RunLimits& limits) {
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
@@ -68,8 +68,8 @@ std::string refused(const char* ended, const std::string& why) {
 /// Returns the answer for a process that ended without an answer. A killed process has exceeded a limit.
 std::string why_no_answer(int status, const RunLimits& limits) {
     if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
-        return refused("failed", fmt::format("the run has crashed; this is a defect of PlacedPar, unless the run "
-                                             "needed more memory than its limit of {} Mbyte",
+        return refused("failed", fmt::format("the run has crashed: either it needed more memory than its limit of {} "
+                                             "Mbyte, or PlacedPar has a defect",
                                              limits.megabytes));
     return refused(
         "killed",
@@ -80,7 +80,7 @@ std::string why_no_answer(int status, const RunLimits& limits) {
 
 } // namespace
 
-/// The process of one job.
+/// Controls the process of one job.
 class Runs::Process : public std::enable_shared_from_this<Process> {
 public:
     Process(Runs& runs, Waiting job)
@@ -131,7 +131,7 @@ private:
         input_.close(ignored);
         if (child_ < 0)
             return;
-        ::kill(child_, SIGKILL); // the process has ended already, or must end now
+        ::kill(child_, SIGKILL); // the process has already ended, or must end now
         ::waitpid(std::exchange(child_, -1), &status_, 0);
         if (!runs_)
             output_.close(ignored);

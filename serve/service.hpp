@@ -17,11 +17,11 @@ struct ServiceSettings {
     std::string token_file;              ///< empty: no token is required
     std::vector<std::string> host_names; ///< further names by which browsers may call the service, besides `address`
     std::string keep;                    ///< folder in which the programs of runs are stored; empty: nothing is stored
-    std::filesystem::path examples;      ///< folder
+    std::filesystem::path examples;      ///< folder of the examples
     QueueLimits queue;
 };
 
-/// The page on which netlists and programs in occam are edited and run.
+/// Serves the page on which users edit and run netlists and programs in occam.
 class Service {
 public:
     /// Listens. `say` receives messages for the operator. Throws UserError if the address, the port, the token or a

@@ -46,30 +46,30 @@ std::string catalogue_json() {
     return json::serialize(kinds_json(known_kinds(problems)));
 }
 
-/// Throws std::invalid_argument if the job has the member and it is not a text.
+/// Throws std::invalid_argument if the job has this member, but the member is not a string.
 void require_text(const json::object& job, const char* name) {
     if (const json::value* found = job.if_contains(name); found && !found->is_string())
-        throw std::invalid_argument(fmt::format("\"{}\" is not a string", name));
+        throw std::invalid_argument(fmt::format("\"{}\" must be a string", name));
 }
 
 void require_task(const json::object& job) {
     constexpr std::array tasks = {"check", "run", "explain", "listing", "exercise"};
     if (std::ranges::find(tasks, std::string(job.at("do").as_string())) == tasks.end())
-        throw std::invalid_argument("\"do\" is not check, run, explain, listing or exercise");
+        throw std::invalid_argument("\"do\" must be check, run, explain, listing or exercise");
 }
 
 void require_files(const json::object& job) {
     if (!job.at("files").is_object())
-        throw std::invalid_argument("\"files\" is not an object");
+        throw std::invalid_argument("\"files\" must be an object");
     const json::object& files = job.at("files").as_object();
     if (!files.contains(job.at("main").as_string()))
-        throw std::invalid_argument("\"main\" is not the name of one of the files");
+        throw std::invalid_argument("\"main\" must be the name of one of the files");
     if (files.size() > most_files)
         throw std::invalid_argument(fmt::format("the job has more than {} files", most_files));
     for (const auto& [name, text] : files)
         if (!text.is_string() || name.empty() || name.front() == '/' || name.find("..") != name.npos)
             throw std::invalid_argument(
-                "each file needs a string, and a name without \"..\" that does not begin with \"/\"");
+                "the text of each file must be a string, and its name must have no \"..\" and not begin with \"/\"");
 }
 
 void require_seed(const json::object& job) {
@@ -78,7 +78,7 @@ void require_seed(const json::object& job) {
     if (seed)
         seed->to_number<std::uint64_t>(error);
     if (error)
-        throw std::invalid_argument("\"seed\" is not a whole number");
+        throw std::invalid_argument("\"seed\" must be a whole number");
 }
 
 void require_job(const json::object& job) {
@@ -96,7 +96,7 @@ void require_job(const json::object& job) {
 std::string task_of(const std::string& text) {
     const json::value value = json::parse(text);
     if (!value.is_object())
-        throw std::invalid_argument("it is not a JSON object");
+        throw std::invalid_argument("it must be a JSON object");
     require_job(value.as_object());
     return std::string(value.at("do").as_string());
 }
@@ -114,7 +114,7 @@ web::Withdraw Site::answer(const web::Request& request, const web::Reply& reply)
     if (request.path == "/healthz")
         reply({200, plain, "ok\n"});
     else if (!request.trusted)
-        reply({401, plain, "token required, as Bearer, or as the Basic password with any user name\n"});
+        reply({401, plain, "a token is required: send it as Bearer, or as the password of Basic with any user name\n"});
     else if (request.posts && request.path == "/job")
         return begin(request, reply);
     else if (request.posts)
@@ -137,7 +137,7 @@ web::Answer Site::data(const web::Request& request) const {
         const std::optional<std::size_t> place = runs_.place_of(request.query);
         return {200, json_type, place ? fmt::format("{{\"place\":{}}}", *place) : "{}"};
     }
-    return {404, plain, "not found; the page is /\n"};
+    return {404, plain, "not found: the page is at /\n"};
 }
 
 std::string Site::completed(const std::string& body) const {

@@ -28,7 +28,7 @@ private:
 /// An open SQLite database. Its functions and its statements' functions throw DatabaseError. Not thread-safe.
 class Database {
 public:
-    /// Opens the database. With `make`, creates the file if it does not exist.
+    /// Opens the database. If `make` is true and the file does not exist, creates the file.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
     /// Executes any number of statements without parameters, and discards their results.
@@ -61,7 +61,7 @@ public:
         (bind_one(++index, values), ...);
         return *this;
     }
-    /// Goes to the next row, and returns whether there is one.
+    /// Moves to the next row; returns false if there are no more rows.
     bool step();
     /// Binds the parameters and executes the statement.
     template <typename... Values>

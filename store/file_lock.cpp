@@ -17,7 +17,7 @@ namespace placedpar::store {
 FileLock::FileLock(const std::filesystem::path& path, const std::string& shown, const std::string& user)
     : file_(::open(path.c_str(), O_RDWR | O_CLOEXEC)) {
     if (file_ < 0)
-        throw UserError(fmt::format("{}: cannot be opened: {}", shown, std::strerror(errno)));
+        throw UserError(fmt::format("{}: the file cannot be opened: {}", shown, std::strerror(errno)));
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
         int reason = errno;
         ::close(file_);

@@ -21,7 +21,7 @@ Sort sort_of(char c) {
     return std::isdigit(byte) ? Sort::digits : std::isalpha(byte) ? Sort::letters : Sort::other;
 }
 
-/// The words of a text in lower case. Numbers and single letters, which number figures and tables, are kept apart.
+/// The words of a text in lower case. Numbers and single letters, which number figures and tables, are kept separately.
 struct WordsOfText {
     std::vector<std::string> words, numbers;
 };
@@ -40,8 +40,8 @@ WordsOfText words_of(std::string_view text) {
     return out;
 }
 
-/// Returns whether the words are equal but for their endings: they share at least four letters, two thirds of the
-/// shorter word, and more than half of the longer one.
+/// Returns whether the words are equal except for their endings: they share at least four letters, two thirds of the
+/// shorter word, and more than half of the longer word.
 bool are_inflected(std::string_view a, std::string_view b) {
     const auto common = static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
     return a == b ||

@@ -14,9 +14,9 @@ std::string lower_case(std::string_view word);
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// Returns the candidate that a misspelt word probably means: the nearest one, if at most a third of the word's letters
-/// differ. Upper and lower case decide only between equally near candidates; if these are still equal, the first wins.
-/// If no candidate is within one edit, the only candidate that begins with the word is preferred. The word "worker"
-/// also matches a candidate such as "csp.worker". Returns "" if no candidate is near enough.
+/// differ. Upper and lower case decide only between equally near candidates. Of candidates that are still equal, the
+/// first is chosen. If no candidate is within one edit, the only candidate that begins with the word is preferred. The
+/// word "worker" also matches a candidate such as "csp.worker". Returns "" if no candidate is near enough.
 std::string nearest_name(std::string_view wanted, const std::vector<std::string>& candidates);
 
 /// Returns `unknown WHAT "wanted"; did you mean "name"?`; if no candidate is near, the text after the semicolon is

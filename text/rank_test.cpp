@@ -19,7 +19,7 @@ struct RankSums {
     double ties = 0;                 ///< sum of t^3 - t over the sets of t equal figures
 };
 
-/// Gives equal figures the mean of their ranks.
+/// Computes the sums of ranks. Equal figures get the mean of their ranks.
 RankSums rank_sums(const std::vector<std::vector<double>>& groups) {
     std::vector<std::pair<double, std::size_t>> all;
     RankSums ranks{.sums = std::vector<double>(groups.size()), .sizes = {}};
@@ -41,9 +41,9 @@ RankSums rank_sums(const std::vector<std::vector<double>>& groups) {
     return ranks;
 }
 
-/// Counts the orders of m figures of one group and n of another. Element u is the number of orders in which u pairs of
-/// figures have the greater one in the first group. These numbers are the coefficients of the Gaussian binomial, the
-/// product over i = 1 .. m of (1 - q^(n + i)) / (1 - q^i).
+/// Counts the orders of m figures of one group and n of another. Element u of the result is the number of orders in
+/// which exactly u pairs, each of one figure from each group, have the greater figure in the first group. These numbers
+/// are the coefficients of the Gaussian binomial, the product over i = 1 .. m of (1 - q^(n + i)) / (1 - q^i).
 std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     std::vector<double> orders(m * n + 1);
     orders[0] = 1;
@@ -56,7 +56,7 @@ std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     return orders;
 }
 
-/// Returns the probability of at least `pairs` pairs, or at most as few on the other side.
+/// Returns the two-sided probability: twice the probability of at least `pairs` pairs, but at most 1.
 double exact_p(std::size_t m, std::size_t n, double pairs) {
     const std::vector<double> orders = orders_by_pairs(m, n);
     double all = 0, extreme = 0;

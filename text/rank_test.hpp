@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// Says whether groups of figures differ, by their ranks alone, so that no distribution of the figures is assumed.
+/// Tests whether groups of figures differ. The test uses only the ranks of the figures, so it assumes no distribution.
 struct RankTest {
     /// Probability that ranks differ as much as these, or more, if all groups come from one distribution.
     double p = 1;
@@ -13,11 +13,11 @@ struct RankTest {
     /// difference, 0 or 1 if the groups do not overlap. More groups: epsilon squared, from 0 to 1 (M. Tomczak and E.
     /// Tomczak, 2014).
     double effect = 0.5;
-    bool exact = false; ///< whether p was counted rather than approximated
+    bool exact = false; ///< true: p was found by counting all orders; false: p is an approximation
 };
 
 /// Returns the two-sided test of H. Mann and D. Whitney (1947). It counts all orders if no figures are equal and there
-/// are at most 40. Otherwise it takes the normal distribution, corrected for equal figures and for continuity.
+/// are at most 40 figures. Otherwise it uses the normal distribution, corrected for equal figures and for continuity.
 /// REQUIRES: figures in both groups; none is NaN.
 RankTest mann_whitney(const std::vector<double>& first, const std::vector<double>& second);
 

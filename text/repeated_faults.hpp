@@ -13,10 +13,11 @@ namespace placedpar {
 /// their lines differ.
 class RepeatedFaults {
 public:
-    /// Returns the first fault of each new kind; its message has the number of other lines with such faults. Lines
-    /// with faults of earlier kinds are only counted. REQUIRES: the faults of a kind are in the order of their lines.
+    /// Returns the first fault of each new kind; its message states how many other lines have such faults. Lines with
+    /// faults of earlier kinds are only counted. REQUIRES: the faults of a kind are in the order of their lines.
     std::vector<Diagnostic> take(std::vector<Diagnostic> faults);
-    /// Returns the lines that were only counted, as one line a kind; "" if there are none.
+    /// Returns a text about the lines that were only counted, with one line for each kind of fault; "" if there are
+    /// none.
     std::string later() const;
 
 private:

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r";
 
-/// Removes the second of two double quotes in a row, which stand for one.
+/// Replaces each pair of successive double quotes by one double quote.
 std::string unquoted(std::string_view text) {
     std::string result;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -95,7 +95,8 @@ void add_row(TextTable& table, TextRow row, std::vector<Diagnostic>& faults) {
     else
         faults.push_back(error_at(
             row.line, row.cells.back().column,
-            fmt::format("{} values, expected {}", row.cells.size(), table.header.cells.size()),
+            fmt::format("the row has the wrong number of values: {}, expected {}", row.cells.size(),
+                        table.header.cells.size()),
             fmt::format("the header on line {} has {} columns", table.header.line, table.header.cells.size())));
 }
 
@@ -182,14 +183,15 @@ double number_in(const TextCell& cell, std::size_t line, std::vector<Diagnostic>
     bool out_of_range = error == std::errc::result_out_of_range && stop == end;
     if (out_of_range && is_tiny(text))
         return 0;
-    faults.push_back(error_at(line, cell.column,
-                              cell.text.empty() ? "no value"
-                              : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
-                                                : fmt::format("\"{}\" is not a finite number", cell.text),
-                              decimal_sign == '.'
-                                  ? "a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"
-                                  : "a number such as 1830,5 or -2e-3, since this file has decimal commas; leave a row "
-                                    "out where a reading is missing"));
+    faults.push_back(
+        error_at(line, cell.column,
+                 cell.text.empty() ? "the value is missing"
+                 : out_of_range    ? fmt::format("\"{}\" is beyond the range of numbers", cell.text)
+                                   : fmt::format("\"{}\" is not a finite number", cell.text),
+                 decimal_sign == '.'
+                     ? "write a number such as 1830.5 or -2e-3; leave a row out where a reading is missing"
+                     : "write a number such as 1830,5 or -2e-3, because this file has decimal commas; leave a row "
+                       "out where a reading is missing"));
     return 0;
 }
 

@@ -20,7 +20,7 @@ struct TextRow {
 };
 
 /// A table of comma-separated values. The first row is the header. Lines that start with '#' describe the table if they
-/// come before the header, and are comments elsewhere, unless their first cell is a spreadsheet's word such as
+/// come before the header, and are comments elsewhere, unless their first cell is a spreadsheet's error word such as
 /// "#N/A", "#NV" or "#VALUE!". Blank lines are ignored. A cell in double quotes may contain commas, and double quotes
 /// that are written twice. A row may end in a separator that the header does not have. Lines end in LF or CR LF; a byte
 /// order mark is skipped.

@@ -74,7 +74,7 @@ bool TemporaryFile::take_place() {
 
 bool TemporaryFile::take_name() {
     fs::path name = name_beside(destination_);
-    std::remove(name.c_str()); // a file of a killed program that had the same process number
+    std::remove(name.c_str()); // left by a killed program that had the same process number
     if (!give_name(file_, name))
         return false;
     name_ = std::move(name);

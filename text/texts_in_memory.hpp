@@ -29,10 +29,10 @@ public:
     ReadsFromMemory& operator=(const ReadsFromMemory&) = delete;
 };
 
-/// Returns the texts that this thread reads at present; null if it reads files alone.
+/// Returns the texts that this thread reads at present; null if it reads only files.
 const TextsInMemory* texts_of_this_thread();
 
-/// Returns the text that stands in for a file at present; null if the file itself is to be read.
+/// Returns the text that replaces a file at present; null if the file itself must be read.
 const std::string* text_in_memory(const std::filesystem::path&);
 
 /// Returns whether a path names a file or a text in memory. A directory is not a file.

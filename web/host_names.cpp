@@ -57,8 +57,8 @@ std::string name_of_option(const std::string& typed) {
     for (const std::string& field : {typed, fmt::format("[{}]", typed)})
         if (auto name = host_in(field))
             return *name;
-    throw UserError(
-        fmt::format("--host-name {}: expected the name of a computer, such as digger.example, or an address", typed));
+    throw UserError(fmt::format(
+        "--host-name {}: expected the name of a computer, such as digger.example, or an IP address", typed));
 }
 
 } // namespace

@@ -13,9 +13,9 @@ namespace placedpar::web {
 /// name nor an address.
 std::optional<std::string> host_in(std::string_view field);
 
-/// The host names under which browsers may use the service. An attacker can let a host name of his own resolve to this
-/// computer; then his web page could read what the service serves under that name (DNS rebinding). Other names are
-/// therefore refused.
+/// Holds the host names under which browsers may use the service. All other names are refused. Otherwise an attacker
+/// could let his own host name resolve to this computer, and his web page could then read the service's answers (DNS
+/// rebinding).
 class HostNames {
 public:
     /// Accepts the address at which the service listens, and further names such as a proxy's. Also accepts "localhost"

@@ -14,12 +14,12 @@ namespace placedpar::web {
 
 /// Describes the other end of a connection.
 struct Caller {
-    /// The party that limits apply to. It is an IPv4 address, or the 64-bit network of an IPv6 address. It is
-    /// "loopback" for every loopback address, since each local program can use millions of them. At a socket in the
-    /// file system the peer is the user: "user 1000".
+    /// The party to which limits apply: an IPv4 address, or the 64-bit network of an IPv6 address. It is "loopback" for
+    /// all loopback addresses, since each local program can use millions of addresses. At a socket in the file system,
+    /// it is the user, such as "user 1000".
     std::string peer;
-    std::string name; ///< for messages; includes the port
-    std::string here; ///< the local address by which the connection arrived
+    std::string name; ///< name in messages, including the port
+    std::string here; ///< the local address at which the connection arrived
 };
 
 /// Accepts connections at a port or at a socket in the file system.
@@ -28,10 +28,11 @@ public:
     using Socket = boost::asio::generic::stream_protocol::socket;
     using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
 
-    /// Throws UserError. `option` is the port's name on the command line, such as "--port".
+    /// Listens at a port. `option` is the name of the port's option, such as "--port". Throws UserError.
     static Listener at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
                             const std::string& option);
-    /// Replaces a socket at which no program listens any more. Only programs of this user and group may connect.
+    /// Listens at a socket in the file system. Replaces an old socket if no program listens there any more. Only
+    /// programs of this user and this group may connect. Throws UserError.
     static Listener at_path(boost::asio::io_context& io, const std::string& path);
     ~Listener();
     Listener(Listener&&) = default;

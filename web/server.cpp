@@ -29,7 +29,7 @@ constexpr const char* plain = "text/plain; charset=utf-8";
 
 } // namespace
 
-/// One connection of a browser.
+/// Serves one connection of a browser.
 class Server::Session : public std::enable_shared_from_this<Session> {
 public:
     Session(Server& server, Listener::Socket socket, Caller caller)
@@ -144,7 +144,7 @@ private:
         const auto& request = parser_->get();
         const bool takes_posts = server_->settings_.most_body_bytes > 0;
         if (takes_posts && posts() && !request[http::field::content_type].starts_with("application/json"))
-            return Answer{415, plain, "a POST must have the content type application/json\n"};
+            return Answer{415, plain, "the content type of a POST must be application/json\n"};
         if (request.method() == http::verb::get || request.method() == http::verb::head || (takes_posts && posts()))
             return std::nullopt;
         return Answer{405, plain,
@@ -163,7 +163,8 @@ private:
         if (count != 1 || !host)
             return Answer{400, plain, "expected one Host field, with a name or an address\n"};
         if (!server_->settings_.names.has(*host, caller_.here))
-            return Answer{421, plain, "the Host field does not name this service; --host-name adds a name\n"};
+            return Answer{421, plain,
+                          "the Host field does not name this service; the option --host-name adds a name\n"};
         if (posts() && request.count(http::field::origin) > 0 && !is_of(request[http::field::origin], field))
             return Answer{403, plain, "the request comes from the page of another service\n"};
         return std::nullopt;
@@ -212,7 +213,7 @@ private:
         state_ = State::answering;
         withdraw_ = {};
         error_code ignored;
-        stream_.socket().cancel(ignored); // ends watch()
+        stream_.socket().cancel(ignored); // this ends watch()
         const auto& request = parser_->get();
         response_ = {static_cast<http::status>(answer.status), request.version()};
         set_fields(answer.type);
@@ -220,7 +221,7 @@ private:
         response_.body() = std::move(answer.text);
         response_.prepare_payload();
         if (request.method() == http::verb::head)
-            response_.body().clear(); // keeps the length of what GET would return
+            response_.body().clear(); // keeps the length that the answer to a GET would have
         write();
     }
 

@@ -12,14 +12,14 @@
 
 namespace placedpar::web {
 
-/// A request of a browser that is meant for this service.
+/// Holds a request of a browser that is meant for this service.
 struct Request {
-    bool posts = false; ///< POST; otherwise GET or HEAD
+    bool posts = false; ///< true for POST; false for GET and HEAD
     std::string path;   ///< such as "/history"
-    std::string query;  ///< what follows "?", such as "machine=digger-7"
+    std::string query;  ///< the part after "?", such as "machine=digger-7"
     std::string body;   ///< JSON; "" unless the request posts
-    bool trusted;       ///< the client has sent the token, or no token is required; if false, the body may be missing
-    std::string peer;   ///< Caller::peer of the client
+    bool trusted; ///< true if the client has sent the token, or no token is required; if false, the body may be missing
+    std::string peer; ///< Caller::peer of the client
 };
 
 struct Answer {
@@ -35,19 +35,19 @@ struct ServerSettings {
     std::size_t most_body_bytes =
         0; ///< largest body of a POST; 0: POST is refused, so that no request can change anything
     std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
-    /// The content security policy: by default, content and requests from this service only. Other pages must not embed
-    /// the service's page.
+    /// The content security policy. By default, content and requests come only from this service. Other pages must not
+    /// embed the service's page.
     std::string policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
                          "connect-src 'self'; img-src 'self' data:; frame-ancestors 'none'";
 };
 
 /// Sends the answer to a request. Must be called at most once; has no effect if the client has gone.
 using Reply = std::function<void(Answer)>;
-/// Called if the client leaves before the answer is ready.
+/// The server calls this function if the client leaves before the answer is ready.
 using Withdraw = std::function<void()>;
 
-/// Serves browsers and other HTTP clients. A POST must carry JSON, and if a browser sends it, it must come from the
-/// service's own page. All functions are called from the loop's only thread.
+/// Serves browsers and other HTTP clients. A POST must carry JSON. If a browser sends a POST, the request must come
+/// from the service's own page. All functions are called from the loop's only thread.
 class Server {
 public:
     /// Answers a request, immediately or later. Returns a function that withdraws the request, or an empty function.

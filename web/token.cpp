@@ -20,7 +20,7 @@ Token::Token(const fs::path& file) {
     if (!in || !fs::is_regular_file(file))
         refuse("the file cannot be read");
     if ((fs::status(file).permissions() & fs::perms::others_all) != fs::perms::none)
-        refuse("every user of this computer may read or write the file; use chmod o= " + file.string());
+        refuse("every user of this computer may read or write the file; protect it: chmod o= " + file.string());
     std::string text(std::istreambuf_iterator<char>(in), {});
     auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
     auto begin = std::ranges::find_if_not(text, is_space);

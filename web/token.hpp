@@ -6,7 +6,7 @@
 
 namespace placedpar::web {
 
-/// The secret word that a client must send to be served. If the token is empty, every client is served.
+/// Holds the secret word that a client must send. If the token is empty, every client is served.
 class Token {
 public:
     Token() = default;

@@ -18,12 +18,13 @@ namespace placedpar {
 
 namespace {
 
-/// The most bytes that the first byte of a boot packet can announce.
+/// The greatest length of a boot packet's program, in bytes: the packet's first byte states the length.
 constexpr std::size_t longest_packet = 255;
 
-/// Reads a program that is longer than a boot packet from the link that booted the transputer: four bytes with the
-/// length, then the program. Starts the program as a boot packet would be started: Iptr is its first byte, Wptr the
-/// first word after it, and C the input channel of the link.
+/// A loader for a program that does not fit in a boot packet. It reads four bytes with the program's length, and then
+/// the program, from the link that booted the transputer. It starts the program as a boot packet is started: Iptr has
+/// the address of the program's first byte, Wptr the address of the first word after the program, and C the address of
+/// the link's input channel.
 constexpr std::string_view loader_source = R"(
         ajw     -4              -- four variables; `in` uses the three words below them
         stl     0; stl  0       -- A and B are not needed
@@ -71,7 +72,7 @@ BootableProgram bootable(const LoadedSource& source, transputer::Model model) {
     if (result.program.bytes.empty())
         throw UserError(fmt::format("{}: the program has no instruction", source.file->path()));
     result.program.bytes.resize(
-        std::max<std::size_t>(result.program.bytes.size(), 2)); // one byte would be a peek, not a boot
+        std::max<std::size_t>(result.program.bytes.size(), 2)); // a first byte of 1 means peek, not boot
     if (result.program.bytes.size() <= longest_packet) {
         append_length(result.file, result.program.bytes.size(), 1);
     } else {
@@ -104,7 +105,7 @@ Action declare_assemble(Options& command, const std::string&) {
     std::vector<std::string> models;
     for (const transputer::Traits& each : transputer::all_traits)
         models.emplace_back(each.name);
-    add_file(command, "FILE", options->file, "a program in the transputer's instructions; - is standard input")
+    add_file(command, "FILE", options->file, "a program in transputer assembly language; - is standard input")
         .required();
     add_file(command, "-o,--out", options->out, "the bootable file that is written").required();
     command.add("--processor", options->processor, "type of the transputer that executes the program")
@@ -119,7 +120,7 @@ Action declare_assemble(Options& command, const std::string&) {
 
 extern const Command assemble_command{
     .name = "assemble",
-    .about = "Makes a bootable file from a program in the transputer's instructions",
+    .about = "Makes a bootable file from a program in transputer assembly language",
     .place = 44,
     .declare = declare_assemble,
 };

@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t least_repetitions = 6; // with fewer, a median has no interval of 95 %
+constexpr std::size_t least_repetitions = 6; // fewer measurements give no 95 % confidence interval of the median
 
 struct CalibrateOptions {
     std::string netlist; ///< "": none
@@ -35,7 +35,7 @@ struct CalibrateOptions {
     std::string out = "-";
 };
 
-/// Returns the problems of --problem and of the netlist; all that the program knows if neither is given.
+/// Returns the problems of --problem and of the netlist, or all known problems if neither is given.
 std::vector<std::string> problems_to_measure(const CalibrateOptions& options) {
     std::vector<std::string> typed = options.problems, problems;
     if (!options.netlist.empty())
@@ -64,8 +64,8 @@ ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<st
     if (interruption.requested())
         return exit_code_of(Ending::interrupted);
     if (calibration.is_disturbed())
-        print_warnings("warning: threads or ranks wait for cores that other programs use; calibrate again when the "
-                       "computer is quiet\n");
+        print_warnings("warning: threads or ranks wait for cores that other programs use; calibrate again when no "
+                       "other program is busy\n");
     write_whole(options.out, print_calibration(calibration));
     return ExitCode::success;
 }
@@ -112,14 +112,14 @@ ExitCode calibrate_computer(const CalibrateOptions& options) {
 
 Action declare_calibrate(Options& command, const std::string&) {
     auto options = std::make_shared<CalibrateOptions>();
-    command.add("FILE", options->netlist, "a netlist, whose problems are measured; default: all problems")
+    command.add("FILE", options->netlist, "a netlist whose problems are measured; without it all problems are measured")
         .check(not_a_name);
     command.add_list("--problem", options->problems, "PROBLEM",
                      "measures this problem, too, such as \"costly(work = 100)\"; may be repeated");
     add_number(command, "--repetitions", options->repetitions, least_repetitions, 10'000,
-               "number of measurements of each cost, whose median is written")
+               "number of measurements for each cost; their median is written")
         .show_default();
-    add_file(command, "-o,--out", options->out, "writes the include to this file; default: standard output");
+    add_file(command, "-o,--out", options->out, "writes the costs to this file; default: standard output");
     return [options] { return calibrate_computer(*options); };
 }
 
@@ -127,8 +127,8 @@ Action declare_calibrate(Options& command, const std::string&) {
 
 extern const Command calibrate_command{
     .name = "calibrate",
-    .about = "Measures what native runs cost on this computer, under mpirun also between ranks, and writes it as an "
-             "include for netlists",
+    .about = "Measures the costs of native runs on this computer, under mpirun also between ranks, and writes a "
+             "file that netlists can include",
     .place = 13,
     .declare = declare_calibrate,
 };

@@ -2,12 +2,14 @@
 #include "app/options/netlist_options.hpp"
 #include "app/options/occam_options.hpp"
 #include "explore/check/check_file.hpp"
+#include "explore/occam_program.hpp"
 #include "explore/problems.hpp"
 #include "report/manifest.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
+#include <fmt/format.h>
 
 #include <memory>
 
@@ -30,6 +32,13 @@ void print_checked(const CheckedFile& checked) {
     print_out(checked.summary);
 }
 
+void refuse_for_programs(const Options& typed, const std::string& file) {
+    for (const char* option : {"--set", "--use", "--fault"})
+        if (typed.is_given(option) && is_occam(file))
+            throw UserError(
+                fmt::format("{} has no effect on {}: it is for netlists, not for programs in occam", option, file));
+}
+
 ExitCode check(const CheckCommandOptions& options) {
     const ProblemRegistry problems = known_problems(0);
     const CheckedFile checked = check_file(options.netlist.file, known_kinds(problems),
@@ -46,11 +55,14 @@ ExitCode check(const CheckCommandOptions& options) {
 Action declare_check(Options& command, const std::string&) {
     auto options = std::make_shared<CheckCommandOptions>();
     add_netlist(command, options->netlist);
-    command.add("--format", options->format, "text, or JSON for programs: every error with its place and hint")
+    command.add("--format", options->format, "output format: text, or JSON with the place and hint of every error")
         .one_of({"text", "json"})
         .show_default();
     add_occam(command, options->occam);
-    return [options] { return check(*options); };
+    return [options, command] {
+        refuse_for_programs(command, options->netlist.file);
+        return check(*options);
+    };
 }
 
 } // namespace

@@ -96,11 +96,11 @@ ExitCode compare(const CompareOptions& options) {
 
 Action declare_compare(Options& command, const std::string&) {
     auto options = std::make_shared<CompareOptions>();
-    const char* about = "a netlist, or a report that placedpar run --json wrote (.json), which names its netlist";
+    const char* about = "a netlist, or a report (.json) that placedpar run --json wrote and that names its netlist";
     command.add("A", options->a, about).required().check(not_a_name);
     command.add("B", options->b, about).required().check(not_a_name);
     add_set(command, options->set, "sets a val, an attribute or a parameter in netlists A and B; may be repeated");
-    command.add_list("--set-b", options->set_b, "NAME=VALUE", "NAME=VALUE: sets it only in netlist B; may be repeated");
+    command.add_list("--set-b", options->set_b, "NAME=VALUE", "sets a value in netlist B only; may be repeated");
     add_read_options(command, options->read);
     add_seed(command, options->seed);
     command

@@ -34,7 +34,7 @@ ExitCode compile_file(const CompileOptions& options) {
     if (!lines.empty())
         write_whole(lines, made.lines);
     print_out(fmt::format("{}: {} bytes for a {}{}\n", options.out, made.file.size(), options.processor,
-                          lines.empty() ? "" : "; the source lines of its code are in " + lines.string()));
+                          lines.empty() ? "" : "; the code's source lines are in " + lines.string()));
     return ExitCode::success;
 }
 

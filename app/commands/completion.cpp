@@ -20,7 +20,7 @@ using Words = std::vector<std::string>;
 
 /// In both scripts PROGRAM is replaced by the program's name.
 constexpr const char* bash_script =
-    R"bash(# What may come next is asked of the program itself. Where that is nothing, bash completes names of files.
+    R"bash(# Asks the program for the words that may come next. If there are none, bash completes file names.
 _PROGRAM() {
     local IFS=$'\n'
     COMPREPLY=($(PROGRAM completion words -- "${COMP_WORDS[@]:1:COMP_CWORD}" 2>/dev/null))
@@ -129,12 +129,14 @@ struct CompletionOptions {
 
 Action declare_completion(Options& command, const std::string&) {
     auto options = std::make_shared<CompletionOptions>();
-    command.add("SHELL", options->shell, fmt::format("prints a script: source <({} completion bash)", program_name()))
+    command
+        .add("SHELL", options->shell,
+             fmt::format("prints a script for this shell, to be used by: source <({} completion bash)", program_name()))
         .required()
         .check(refuse_shell)
         .type("bash|zsh");
     command.add("WORDS", options->words,
-                "internal: the scripts ask for the possible values of the last of these words");
+                "internal: the scripts use it to ask for the possible values of the last word");
     return [options, command] {
         print_out(options->shell == "bash"  ? script(bash_script)
                   : options->shell == "zsh" ? script(zsh_script)

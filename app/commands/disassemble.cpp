@@ -44,7 +44,7 @@ transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t
     const transputer::FileRange range{.from = position_of(options.from).value_or(0),
                                       .until = position_of(options.until).value_or(bytes)};
     if (range.from >= std::min(range.until, bytes))
-        throw UserError(fmt::format("{}: the range from position {} to before {} has no byte: the file has {}",
+        throw UserError(fmt::format("{}: the range from position {} to {}, end excluded, has no byte: the file has {}",
                                     options.file, range.from, range.until, counted(bytes, "byte")));
     return range;
 }
@@ -52,10 +52,11 @@ transputer::FileRange typed_range(const DisassembleOptions& options, std::size_t
 ExitCode disassemble_file(const DisassembleOptions& options) {
     const std::vector<std::uint8_t> file = read_bootable(options.file);
     const transputer::FileRange range = typed_range(options, file.size());
-    print_out(fmt::format("{}: {}, disassembled for a {}\n"
-                          "+: position in the file. ?: nothing in the loader leads here, so it may be data. The last "
-                          "column has the cycles of a block, with code and data on the chip.\n",
-                          options.file, counted(file.size(), "byte"), options.processor));
+    print_out(fmt::format(
+        "{}: {}, disassembled for a {}\n"
+        "+: position in the file. ?: nothing in the loader leads to these bytes, so they may be data. The last "
+        "column has the cycles of a block, with code and data on the chip.\n",
+        options.file, counted(file.size(), "byte"), options.processor));
     std::string text;
     transputer::print_bootable(file, *transputer::model_named(options.processor), range, [&](std::string_view part) {
         text += part;
@@ -76,7 +77,7 @@ std::vector<std::string> names_of_models() {
 Action declare_disassemble(Options& command, const std::string&) {
     auto options = std::make_shared<DisassembleOptions>();
     command.add("FILE", options->file, "a bootable file: .btl, .b4h, .b8h").required().check(not_a_name);
-    command.add("--processor", options->processor, "the transputer whose instructions these are")
+    command.add("--processor", options->processor, "type of the transputer that the code is for")
         .one_of(names_of_models())
         .show_default();
     const char* const type = "POSITION";

@@ -43,7 +43,7 @@ std::optional<std::string> first_line_of(const char* command) {
         return std::nullopt;
     std::string text = line.data();
     while (std::fgets(line.data(), line.size(), output.get())) {
-    } // a program whose reader goes would complain
+    } // the rest is read because a program may print an error if its output is closed early
     return text.substr(0, text.find_last_not_of(" \n") + 1);
 }
 
@@ -81,16 +81,16 @@ std::optional<std::string> find_pandas() {
 
 constexpr std::array runtime_parts{
     RuntimePart{"examples", "replay, serve, and the commands of the documents", find_examples,
-                "set PLACEDPAR_EXAMPLES to the folder"},
+                "set PLACEDPAR_EXAMPLES to the folder with the examples"},
     RuntimePart{"gnuplot", "plots of run, report, replay, optimise, identify", find_gnuplot,
                 "apt-get install gnuplot-nox"},
     RuntimePart{"mpirun", "run --native, sweep and calibrate on ranks", find_mpirun, "apt-get install openmpi-bin"},
     RuntimePart{"module of ranks", "run --native, sweep and calibrate on ranks", find_module_of_ranks,
                 "apt-get install libboost-mpi-dev (on Debian 12 libboost-mpi1.81-dev), then configure and build again"},
     RuntimePart{"seccomp filters", "serve and mark", find_filters_of_calls,
-                "a kernel of Linux with CONFIG_SECCOMP_FILTER"},
+                "use a Linux kernel with CONFIG_SECCOMP_FILTER"},
     RuntimePart{"placedpar in Python", "import placedpar", find_python,
-                "cmake --install, or set PYTHONPATH to the folder `python` of the build"},
+                "run cmake --install, or set PYTHONPATH to the folder `python` of the build"},
     RuntimePart{"NumPy", "searches in Python", find_numpy, "apt-get install python3-numpy"},
     RuntimePart{"pandas", "tables and identify in Python", find_pandas, "apt-get install python3-pandas"},
 };
@@ -117,7 +117,7 @@ Action declare_doctor(Options&, const std::string&) { return doctor; }
 
 extern const Command doctor_command{
     .name = "doctor",
-    .about = "Lists what is installed, what is missing for which command, and all versions",
+    .about = "Lists the programs and libraries that commands need, with versions, and says which are missing",
     .place = 95,
     .declare = declare_doctor,
 };

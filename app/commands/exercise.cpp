@@ -25,9 +25,9 @@ struct ExerciseOptions {
 void list_exercises() {
     for (const Exercise& each : exercises())
         print_out(fmt::format("{:>4}  {}\n", each.number, each.title()));
-    print_out(fmt::format("\n{0} exercise NUMBER prints a program to start from, {0} exercise NUMBER FILE checks "
-                          "yours.\n",
-                          program_name()));
+    print_out(fmt::format(
+        "\n{0} exercise NUMBER prints a program to start from, {0} exercise NUMBER FILE checks your program.\n",
+        program_name()));
 }
 
 ExitCode check_program(const Options& command, const ExerciseOptions& options) {
@@ -57,7 +57,7 @@ ExitCode exercise(const Options& command, const ExerciseOptions& options) {
 
 Action declare_exercise(Options& command, const std::string&) {
     auto options = std::make_shared<ExerciseOptions>();
-    command.add("NUMBER", options->number, "page and place of an exercise: 3.2; prints a program to start from");
+    command.add("NUMBER", options->number, "number of an exercise, such as 3.2; prints a program to start from");
     command.add("FILE", options->program.file, "your program, which is run and checked");
     return [options, command] { return exercise(command, *options); };
 }

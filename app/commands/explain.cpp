@@ -158,8 +158,9 @@ Action declare_explain(Options& command, const std::string& typed) {
              "writes a timeline with the critical path, for ui.perfetto.dev (.json)");
     add_file(command, "--page", options->recorded.page,
              "writes an HTML page that shows the run, with the critical path as a line");
-    command.add_flag("--no-what-if", options->no_what_if,
-                     "leaves out the additional runs, which measure how much time changes of the machine would save");
+    command.add_flag(
+        "--no-what-if", options->no_what_if,
+        "leaves out the additional runs, which measure how much time each change of the machine would save");
     return [options, typed] { return explain(*options, typed); };
 }
 

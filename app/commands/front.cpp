@@ -56,8 +56,8 @@ ExitCode find_front(const FrontOptions& options) {
     const auto problem = problems.find(options.problem).problem()->coded(coding_of(options));
     std::vector<std::string> objectives = problem->objective_names();
     if (!options.svg.empty() && objectives.size() != 2)
-        throw UserError(fmt::format("--svg draws two objectives, but {} has {}", options.problem,
-                                    std::max<std::size_t>(objectives.size(), 1)));
+        throw UserError(fmt::format("--svg draws the front of a problem with two objectives, but {} has {}",
+                                    options.problem, std::max<std::size_t>(objectives.size(), 1)));
     if (objectives.empty())
         objectives = {"objective"};
     for (const std::string& file : {options.out, options.svg})
@@ -78,10 +78,12 @@ ExitCode find_front(const FrontOptions& options) {
 
 Action declare_front(Options& command, const std::string&) {
     auto options = std::make_shared<FrontOptions>();
-    command.add("PROBLEM", options->problem, "a problem, as \"kinds problems\" lists them: zdt1").required();
+    command.add("PROBLEM", options->problem, "a problem that \"kinds problems\" lists, such as zdt1").required();
     add_number(command, "--generations", options->generations, 1, 1'000'000, "number of generations").show_default();
-    add_number(command, "--population", options->population, 2, 100'000, "individuals that survive").show_default();
-    command.add("--coding", options->coding, "how strings code numbers: natural, gray or real").show_default();
+    add_number(command, "--population", options->population, 2, 100'000,
+               "number of individuals that survive each generation")
+        .show_default();
+    command.add("--coding", options->coding, "coding of numbers in strings: natural, gray or real").show_default();
     add_seed(command, options->seed);
     add_file(command, "-o,--out", options->out, "writes the front to this file; default: standard output");
     add_file(command, "--svg", options->svg, "draws the front of two objectives to this file");
@@ -92,7 +94,7 @@ Action declare_front(Options& command, const std::string&) {
 
 extern const Command front_command{
     .name = "front",
-    .about = "Searches for the front of a problem with several objectives by NSGA-II, and prints it as CSV",
+    .about = "Finds the Pareto front of a problem with several objectives by NSGA-II, and prints it as CSV",
     .place = 25,
     .declare = declare_front,
     .values = [] { return known_problems(0).names(); },

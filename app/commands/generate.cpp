@@ -39,8 +39,9 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
              "number of processors; mesh, torus: rows x columns; mesh also planes x rows x columns; figure-e2: chains "
              "x processors in a chain")
         .type("PROCESSORS|NxN");
-    command.add_flag("--split", request.split,
-                     "builds a node of a graph with five or six edges from two processors, instead of refusing it");
+    command.add_flag(
+        "--split", request.split,
+        "builds each node of a graph with five or six edges from two processors, instead of refusing the graph");
     add_count(command, "--branches", request.branches, "tree: number of children of a processor; default: 2");
     add_count(command, "--chord", request.chord,
               "chordal ring: length of a chord, counted in processors along the ring; default: about the square root "
@@ -53,7 +54,7 @@ void add_wish(Options& command, generate::TopologyRequest& request) {
         .show_default();
     command
         .add("--problem", request.problem,
-             fmt::format("what is searched for: a problem that \"{} kinds problems\" lists; default: boom",
+             fmt::format("the problem that the software searches; \"{} kinds problems\" lists all; default: boom",
                          program_name()))
         .type("PROBLEM")
         .check(not_a_name);

@@ -72,7 +72,7 @@ ExitCode walk_generations(const GenerationOptions& options) {
 Action declare_generation(Options& command, const std::string&) {
     auto options = std::make_shared<GenerationOptions>();
     add_seed(command, options->walk.seed);
-    add_count(command, "--population", options->walk.population, "strings of four bits").show_default();
+    add_count(command, "--population", options->walk.population, "number of strings, of four bits each").show_default();
     add_count(command, "--generations", options->generations, "number of generations to show")
         .check(not_at_least_one)
         .show_default();

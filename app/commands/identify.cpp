@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError if a netlist is given with a way that does not run netlists.
+/// Throws UserError if --on names a netlist, but the search that --way selects cannot run on one.
 void require_way_of_netlist(const IdentifyOptions& options) {
     if (!options.netlist.empty() && options.way != "thesis")
         throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; --way {} runs "
@@ -60,7 +60,7 @@ void require_number_of_records(const IdentifyOptions& options) {
             "--trend needs at least two records; expected placedpar identify FIRST SECOND ... --trend FILE");
 }
 
-/// Identifies by the way "thesis", and by the processes of the netlist.
+/// Identifies as --way thesis does, first by the direct search and then by the processes of the netlist.
 ExitCode identify_on_machine(const IdentifyOptions& options, const RecordInput& input, const IdentifyOutput& output) {
     const ThesisAnswer answer = identify_by_thesis(options, input, output);
     const ProcessSearch processes =

@@ -28,7 +28,7 @@ std::string list_kinds(const Catalogue& catalogue) {
     return print_kinds(catalogue) +
            fmt::format("\n{0} kinds NAME prints the ports, parameters and measures of a process, or the "
                        "attributes of a device.\n{0} kinds {1} lists the search problems of genetic algorithms, "
-                       "{0} kinds {2} their policies. --json prints everything.\n",
+                       "{0} kinds {2} lists the policies of genetic algorithms. --json prints everything.\n",
                        program_name(), problems_group, policies_group);
 }
 
@@ -46,8 +46,8 @@ std::vector<std::string> problems_and_policies(const ProblemRegistry& problems) 
     return names;
 }
 
-/// Reads a file that kinds are made of. Returns the name by which the catalogue knows the kind, or `name` if it is not
-/// the name of a file. Prints warnings. Throws RefusedInput.
+/// If the name is the name of a file, reads the process kind that the file defines. Returns the name by which the
+/// catalogue knows the kind, or `name` if it is not the name of a file. Prints warnings. Throws RefusedInput.
 std::string read_if_file(const Catalogue& catalogue, const std::string& name) {
     if (!catalogue.files()->is_file(name))
         return name;
@@ -124,11 +124,10 @@ std::vector<std::string> names_of_kinds() {
 
 Action declare_kinds(Options& command, const std::string&) {
     auto options = std::make_shared<KindsOptions>();
-    command.add(
-        "NAME", options->name,
-        "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
-        "description. A group (csp, problems, policies): prints a list. A file in occam: prints the kind of its "
-        "last PROC");
+    command.add("NAME", options->name,
+                "a kind, a problem, a step of the search (selection) or a policy (tournament): prints its "
+                "description. A group (csp, problems, policies): prints a list. A file in occam: prints the kind that "
+                "its last PROC defines");
     command.add_flag("--json", options->json, "prints all descriptions as JSON");
     return [options] { return kinds(*options); };
 }

@@ -21,7 +21,7 @@ std::string troff(std::string_view text) {
     return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
 }
 
-/// Returns "TYPE" and the default value.
+/// Returns the option's type and default value, such as "N, 20 if not given".
 std::string value_of(const DeclaredOption& option) {
     if (!option.takes_value)
         return "";
@@ -79,7 +79,7 @@ Action declare_manual(Options& command, const std::string&) {
 
 extern const Command manual_command{
     .name = "manual",
-    .about = "Prints the manual page, for man -l -",
+    .about = "Prints the manual page, which man -l - displays",
     .place = 120,
     .declare = declare_manual,
 };

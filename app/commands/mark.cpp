@@ -28,8 +28,8 @@ struct MarkOptions {
 
 serve::MarkedTask task_of(const MarkOptions& options) {
     if (options.exercise.empty() == options.expected.empty())
-        throw UserError("the task is missing: name an exercise of the course with --exercise 3.2, or a file with the "
-                        "expected output with --expected FILE; not both");
+        throw UserError("name one task: either an exercise of the course, such as --exercise 3.2, or a file with "
+                        "the expected output of another task, --expected FILE");
     if (!options.expected.empty()) {
         const LoadedSource expected = load_source(options.expected);
         if (!expected.problems.empty())
@@ -87,15 +87,16 @@ ExitCode mark(const MarkOptions& options) {
 
 Action declare_mark(Options& command, const std::string&) {
     auto options = std::make_shared<MarkOptions>();
-    command.add("FOLDER", options->folder, "folder with programs in occam (.occ), also in its subfolders").required();
+    command.add("FOLDER", options->folder, "folder with programs in occam (.occ); its subfolders are searched, too")
+        .required();
     command.add("--exercise", options->exercise, "number of an exercise of the course").type("NUMBER");
     add_file(command, "--expected", options->expected, "file with the expected output of another task");
     add_file(command, "--csv", options->csv, "writes the marks to this file as comma-separated values");
-    add_jobs(command, options->limits.at_once, "number of submissions at a time; default: number of cores");
-    add_number(command, "--seconds", options->limits.run.seconds, 1, 3600, "time that a submission may take")
+    add_jobs(command, options->limits.at_once,
+             "number of submissions that are checked at a time; default: number of cores");
+    add_number(command, "--seconds", options->limits.run.seconds, 1, 3600, "seconds that a submission may take")
         .show_default();
-    add_number(command, "--memory", options->limits.run.megabytes, 256, 1 << 20,
-               "Mbyte of memory that a submission may take")
+    add_number(command, "--memory", options->limits.run.megabytes, 256, 1 << 20, "Mbyte that a submission may take")
         .show_default();
     return [options] { return mark(*options); };
 }
@@ -104,7 +105,7 @@ Action declare_mark(Options& command, const std::string&) {
 
 extern const Command mark_command{
     .name = "mark",
-    .about = "Checks a folder of solutions of an exercise: output, deadlock in other orders, time",
+    .about = "Checks all solutions of an exercise in a folder: output, deadlocks in other orders of execution, time",
     .place = 56,
     .declare = declare_mark,
 };

@@ -33,8 +33,8 @@ using namespace identification;
 
 namespace {
 
-/// The range of an option, ends included. We chose all ranges: wider than any practical value, and narrow enough to
-/// exclude overflows and endless waits.
+/// The range of an option, ends included. We chose each range so that it contains all practical values and excludes
+/// overflows and endless waits.
 struct Bounds {
     double least, greatest;
 };
@@ -67,27 +67,28 @@ void add_limits(Options& command, ServiceLimits& limits) {
     auto add = [&](const char* name, auto& value, const char* type, Bounds bounds, const char* about) {
         add_number(command, "Limits", name, value, type, bounds, about);
     };
-    add("--max-clients", limits.clients, "N", {1, 65536}, "simultaneous connections");
-    add("--max-machines", limits.machines, "N", {1, 1e6}, "machines known at the same time");
+    add("--max-clients", limits.clients, "N", {1, 65536}, "number of simultaneous connections");
+    add("--max-machines", limits.machines, "N", {1, 1e6}, "number of machines known at the same time");
     add("--max-clients-per-peer", limits.clients_per_peer, "N", {1, 65536},
-        "simultaneous connections from one address");
+        "number of simultaneous connections from one address");
     add("--max-machines-per-peer", limits.machines_per_peer, "N", {1, 1e6},
-        "machines that one address was the first to announce");
+        "number of machines that one address may be the first to announce");
     add("--max-takeovers", limits.takeovers_per_peer, "N", {1, 1e6},
         "number of times in a minute that one address may take over the control of a machine");
     add("--known-after", limits.known_s, "S", {0, 1e9},
-        "a machine is known after samples over this time, and at least 1000 samples");
+        "a machine is known once it has sent samples over this time, and at least 1000 samples");
     add("--newcomer-timeout", limits.newcomer_s, "S", timeouts,
         "time without samples and connections after which a machine that is not yet known is forgotten");
     add("--history", limits.history, "N", {1, 1e6},
         "number of estimates, and of alarms, that the state file keeps for each machine");
     add("--max-line", limits.line_bytes, "BYTES", {100, 1 << 24}, "longest message");
-    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30}, "most bytes waiting to be sent to one client");
-    add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time from the connection to the hello");
+    add("--max-queue", limits.queue_bytes, "BYTES", {1 << 14, 1 << 30},
+        "largest number of bytes that wait to be sent to one client");
+    add("--hello-timeout", limits.hello_s, "S", timeouts, "longest time between the connection and the client's hello");
     add("--line-timeout", limits.line_s, "S", timeouts, "longest time from the first byte of a line to the last");
-    add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time without a line");
-    add("--stall-timeout", limits.stall_s, "S", timeouts, "longest time in which the client reads nothing");
-    add("--closing-timeout", limits.closing_s, "S", timeouts, "time for a client to read the last message");
+    add("--idle-timeout", limits.idle_s, "S", timeouts, "longest time in which a client sends no line");
+    add("--stall-timeout", limits.stall_s, "S", timeouts, "longest time in which a client reads nothing");
+    add("--closing-timeout", limits.closing_s, "S", timeouts, "time that a client has to read the last message");
 }
 
 void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
@@ -97,12 +98,12 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
     WindowSettings& window = diagnosis.search.window;
     add("--population", diagnosis.search.population, "N", {3, 10000}, "number of individuals in each population");
     add("--bits", diagnosis.bits, "N", {4, 16}, "number of bits that code one compliance");
-    add("--window", window.length, "N", {1, exact_fitness_terms}, "samples in the window");
-    add("--trials", window.trials, "N", {1, 1000}, "generations for each sample");
+    add("--window", window.length, "N", {1, exact_fitness_terms}, "number of samples in the search's window");
+    add("--trials", window.trials, "N", {1, 1000}, "number of generations for each sample");
     add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
         "an estimate is frozen while the rms slope of the pressure is less than this");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "estimates are flagged if the population sets differ by more than this fraction");
+        "estimates are flagged if those of two population sets differ by more than this fraction");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9},
         "estimates that are older than this are not used in cross-checks");
 }
@@ -126,7 +127,7 @@ void add_options(Options& command, MonitorOptions& options) {
         "port for HTTP: a page for browsers, /metrics and /healthz; default: no "
         "HTTP");
     add_file(command, "--unix", settings.unix_path,
-             "listen on this socket file; listen on a port only if --port is given, "
+             "listens on this socket file; listens on a port only if --port is given, "
              "too",
              "PATH");
     add_file(command, "--token-file", settings.token_file, "file with the token that clients must send");
@@ -135,8 +136,8 @@ void add_options(Options& command, MonitorOptions& options) {
     add_file(command, "--state", settings.state, "SQLite file that keeps the state of all machines across restarts");
     add_seed(command, settings.seed);
     Option netlist = add_file(command, "--on", options.netlist,
-                              "also searches each movement by the processes of this netlist, as identify --way thesis "
-                              "--on does, and says when the simulated machine would have answered",
+                              "also identifies each movement by the processes of this netlist, as identify --way "
+                              "thesis --on does, and says when the simulated machine would have answered",
                               "NETLIST");
     command.add_list("--set", options.set, "NAME=VALUE", "sets a val, an attribute or a parameter of the netlist")
         .needs(netlist);
@@ -146,8 +147,8 @@ void add_options(Options& command, MonitorOptions& options) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-/// Returns a search that does what `identify --way thesis --on` does. Tries it on a made-up record. Throws UserError if
-/// the netlist cannot search.
+/// Returns a search that does what `identify --way thesis --on` does. Tries the search on an artificial record. Throws
+/// UserError if the netlist cannot search.
 auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     IdentificationWay way = thesis_way();
     way.search.population = settings.diagnosis.search.population;
@@ -216,8 +217,8 @@ Action declare(Options& command, const std::string&) {
 
 namespace placedpar {
 
-/// Serves until SIGINT or SIGTERM. Prints its addresses on standard output, and messages for the operator on standard
-/// error.
+/// This command serves until SIGINT or SIGTERM. It prints its addresses on standard output, and messages for the
+/// operator on standard error.
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",

@@ -38,7 +38,7 @@ struct OptimiseOptions {
     std::optional<std::uint64_t> seed, population, generations;
     std::optional<Time> until;
     bool random = false, exhaustive = false;
-    std::string results; ///< "": named after the study
+    std::string results; ///< "": the file is named after the study
     std::string csv, svg;
     std::vector<std::string> price;
     std::size_t jobs = 0;
@@ -98,8 +98,8 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// Returns the source of the study. Throws UserError if a measure is impossible, or if an output file is a file of the
-/// netlist.
+/// Returns the source of the study. Throws UserError if no process or device reports a measure that is asked for, or
+/// if an output file is a file of the netlist.
 StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
     Network network = some_network(study, space);
     require_possible(shown_measures(study), study, network);
@@ -164,7 +164,8 @@ bool is_meant(Session& session) {
     return seconds && are_meant({runs, false, session.options.jobs, *seconds}, session.interruption);
 }
 
-/// Searches in each way requested. Returns false if a search was interrupted.
+/// Makes the genetic search, and the random and the exhaustive search if the options request them. Returns false if a
+/// search was interrupted.
 bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
     auto add = [&](std::optional<SearchCourse> course) {
         if (course && optimum.courses.empty() && course->front().empty())
@@ -267,7 +268,7 @@ ExitCode optimise(const OptimiseOptions& typed) {
 }
 
 void add_search_size(Options& command, OptimiseOptions& options) {
-    add_count(command, "--seed", options.seed, "seed of the search's random numbers; default: the study's");
+    add_count(command, "--seed", options.seed, "seed of the search's random numbers; default: the study's seed");
     add_number(command, "--population", options.population, 4, StudySearch::most_population,
                "number of machines in a generation");
     add_number(command, "--generations", options.generations, 1, StudySearch::most_generations,
@@ -280,13 +281,15 @@ Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
     command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
     add_search_size(command, *options);
-    command.add_list("--price", options->price, "PART=PRICE",
-                     "price of each T800, C004, link ..., for the measure \"price\"; may be repeated");
+    command.add_list(
+        "--price", options->price, "PART=PRICE",
+        "price of one part of a type, such as T800, C004 or link, for the measure \"price\"; may be repeated");
     command.add_flag("--random", options->random,
                      "also tries the same number of machines drawn at random, for comparison");
     command.add_flag("--exhaustive", options->exhaustive, "also tries all machines, for comparison");
     add_file(command, "--results", options->results,
-             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in the current "
+             "folder");
     add_file(command, "--csv", options->csv,
              "writes the best machines, or the Pareto front, as comma-separated values");
     add_file(command, "--svg", options->svg, "draws the course of the search, or the Pareto front");

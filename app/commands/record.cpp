@@ -55,8 +55,8 @@ const RecordScenario& scenario_of(const RecordOptions& options) {
     if (options.job.empty())
         return scenario;
     if (scenario.name != digging_scenario().name)
-        throw UserError(fmt::format("--job {}: {} takes no job; the scenario {} does", options.job, scenario.name,
-                                    digging_scenario().name));
+        throw UserError(fmt::format("--job {}: the scenario {} takes no job; the scenario {} does", options.job,
+                                    scenario.name, digging_scenario().name));
     return digging_scenario();
 }
 
@@ -93,7 +93,8 @@ void declare_options(Options& command, RecordOptions& options) {
                       "configuration of the main valve, for the scenario \"links\"; default: a");
     add_set(command, options.set, "sets a parameter, for example to .005 or \"4.1e-11 m^3/Pa\"");
     command.add("--noise", options.noise, "noise of the sensors: none, low, mid or high").type("LEVEL");
-    add_file(command, "--machine", options.machine, "file with constants that replace those of placedpar parameters");
+    add_file(command, "--machine", options.machine,
+             "file with constants that replace those that \"placedpar parameters\" prints");
     add_seed(command, options.seed, "seed of the sensors' noise");
     add_file(command, "--out", options.out, "writes the record to this file; default: standard output");
     command.add_flag("--list", options.list,

@@ -36,7 +36,7 @@ constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed 
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
-    std::size_t seeds = 0; ///< 0: the experiment's own number
+    std::size_t seeds = 0; ///< 0: the experiment's default number of seeds
     std::string against = "expected";
     bool yes = false;
 };
@@ -65,8 +65,8 @@ std::vector<NamedMeaning> meanings_of_experiments() {
 const Experiment& find_experiment(const std::string& name) {
     auto found = std::ranges::find(experiments(), name, &Experiment::name);
     if (found == experiments().end())
-        throw UserError(
-            unknown_meaning("experiment", name, meanings_of_experiments(), "there are:\n" + list_experiments()));
+        throw UserError(unknown_meaning("experiment", name, meanings_of_experiments(),
+                                        "the experiments are:\n" + list_experiments()));
     return *found;
 }
 
@@ -112,14 +112,14 @@ void require_printed(const Experiment& experiment, const ReplayOptions& options)
             having.push_back(each.name);
     if (options.against == "printed" && !experiment.has_printed)
         throw UserError(fmt::format(
-            "--against printed has no effect on {}, whose expected figures are the printed ones; it applies to {}",
+            "--against printed has no effect on {}, whose expected figures are the printed ones; it affects {}",
             experiment.name, fmt::join(having, ", ")));
 }
 
 void require_study(const Experiment& experiment, const ReplayOptions& options) {
     if (experiment.seeds == 0 && (options.seeds != 0 || !options.resume.empty()))
         throw UserError(
-            fmt::format("{} does not run several seeds, so --seeds and --resume have no effect", experiment.name));
+            fmt::format("{} has a fixed number of runs, so --seeds and --resume have no effect", experiment.name));
     if (options.resume.empty())
         return;
     if (is_standard_stream(options.resume))
@@ -196,13 +196,13 @@ Action declare_replay(Options& command, const std::string& typed) {
              "FOLDER");
     add_number(command, "--seeds", options->seeds, 1, most_seeds,
                "number of seeds, for experiments that run several; default: the "
-               "experiment's own number");
+               "number that the experiment states");
     add_file(command, "--resume", options->resume,
              "keeps finished runs in this file, and skips the runs that it already has");
     command
         .add("--against", options->against,
-             "which of two figures of the thesis to judge by, where they differ: expected (the figure that follows "
-             "from its measurements) or printed")
+             "figures to compare with, where the thesis prints a figure that does not follow from its own "
+             "measurements: printed, or expected (the figure that follows)")
         .one_of({"expected", "printed"})
         .show_default();
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");

@@ -39,7 +39,7 @@ std::filesystem::path kept_results_of(const std::string& study) {
                                                              : study;
 }
 
-/// Summarises the runs that a study asks for, or all runs if it is a file of results.
+/// Summarises the runs that the study asks for, or all runs of a file of results that was given instead of a study.
 StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))
@@ -74,11 +74,11 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
     if (!options.svg.empty() || !options.page.empty())
         require_gnuplot();
     else if (!options.over.empty())
-        throw UserError("--over names the horizontal axis of a plot, but no plot was asked for: add --svg or "
+        throw UserError("--over names the horizontal axis of a plot, but no plot is drawn: add --svg or "
                         "--page");
 }
 
-/// Throws UserError for a measure that no run has, if any run completed.
+/// Throws UserError for a measure that no run has, if at least one run completed.
 void require_measured(const StudySummary& summary, StudyResults& results) {
     std::optional<StudyFigures> figures;
     results.for_each([&](const StudyRun&, const StudyOutcome& outcome) {
@@ -105,11 +105,11 @@ ExitCode report(const ReportOptions& options) {
 
 Action declare_report(Options& command, const std::string&) {
     auto options = std::make_shared<ReportOptions>();
-    command.add("STUDY", options->study, "a results file (.sqlite), or the study or netlist whose sweep made it")
+    command.add("STUDY", options->study, "a results file (.sqlite), or the study or netlist whose sweep made this file")
         .required()
         .check(not_a_name);
     command.add_list("--measure", options->measures, "MEASURE",
-                     "a measure to show instead of the sweep's; may be repeated; needs no new runs");
+                     "a measure to show instead of the sweep's measures; no new runs are needed; may be repeated");
     command.add_list("--relative-to", options->relative_to, "NAME=VALUE",
                      "divides each figure by the figure of the run with this setting, all else equal; may be repeated");
     add_file(command, "--over", options->over, "the setting on the plot's horizontal axis", "NAME");

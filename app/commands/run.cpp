@@ -53,10 +53,11 @@ struct RunOptions {
     Time until = Time::max();
     std::uint64_t seed = 1;
     std::optional<std::uint64_t> shuffle = {};
-    std::size_t seeds = 1; ///< number of seeds, from the first on
+    std::size_t seeds = 1; ///< number of consecutive seeds, beginning with `seed`
     bool watch = false, yes = false;
     bool listing = false, step = false, analyse = false; ///< reports about transputers that execute their own code
-    std::string offer;                           ///< where the host's link is offered to another program; "": nowhere
+    std::string offer;                           ///< address at which the host's link is offered to another program;
+                                                 ///< "": not offered
     std::shared_ptr<Ranks> ranks;                ///< ranks of a native run; null without mpirun
     std::shared_ptr<CheckpointFile> checkpoints; ///< null without the option
     std::shared_ptr<NativeTrace> native_trace;   ///< null unless a native run is recorded
@@ -87,10 +88,11 @@ void require_outputs(const RunOptions& options) {
         throw UserError(fmt::format("--checkpoint: a file holds the searches of one run, but --seeds asks for {} runs",
                                     options.seeds));
     if (options.seeds > 1 && !options.offer.empty())
-        throw UserError(fmt::format("--offer: another program is the host of one run, but --seeds asks for {} runs",
-                                    options.seeds));
+        throw UserError(fmt::format(
+            "--offer: another program can be the host of one run only, but --seeds asks for {} runs", options.seeds));
     if (options.recorded.window.is_part() && !options.is_recorded())
-        throw UserError("--trace-from and --trace-until limit what --trace or --page shows: give one of them, too");
+        throw UserError(
+            "--trace-from and --trace-until limit what --trace or --page shows: give --trace or --page, too");
     if (!options.recorded.trace.empty())
         require_trace_format(options.recorded.trace);
     if (!options.convergence.empty())
@@ -119,6 +121,13 @@ void require_fit(const Network& network, const RunOptions& options) {
         require_apart(options.outputs(), input);
     if (options.wants_generations())
         require_searches(network);
+    if (std::ranges::any_of(network.nodes, &Node::runs_own_code))
+        return;
+    for (const auto& [given, name] :
+         {std::pair(options.listing, "--listing"), {options.analyse, "--analyse"}, {options.step, "--step"}})
+        if (given)
+            throw UserError(fmt::format("{} has no effect: no transputer of {} executes code of its own", name,
+                                        network.source_path));
 }
 
 std::shared_ptr<CheckpointFile> checkpoints_of(const Network& network, const RunOptions& options) {
@@ -258,7 +267,7 @@ bool offer_link(Network& network, const RunOptions& options, const Interruption&
         return true;
     if (!has_bootable_file(network))
         throw UserError("--offer: the netlist boots no transputer, so it has no link to a host");
-    std::signal(SIGPIPE, SIG_IGN); // a program that closes the link ends the run
+    std::signal(SIGPIPE, SIG_IGN); // if the program closes the link, the run ends with a report
     board.emplace(options.offer, [&interruption] { return interruption.requested(); });
     network.host.board = &*board;
     print_error(fmt::format("placedpar: the host's link is offered at {}\n", board->name()));
@@ -306,7 +315,7 @@ std::optional<Network> load(RunOptions& options, const Options& command) {
 
 void say_begin(const RunOptions& options) {
     if (options.checkpoints && options.checkpoints->begin() > 0)
-        print_error(fmt::format("placedpar: continues after generation {} of {}\n", options.checkpoints->begin(),
+        print_error(fmt::format("placedpar: continues from {1}, after generation {0}\n", options.checkpoints->begin(),
                                 options.checkpoint));
 }
 
@@ -316,7 +325,7 @@ ExitCode run(RunOptions options, const Options& command, const std::string& type
         return ExitCode::success;
     options.ranks = ranks_of(options.native);
     if (options.ranks && options.ranks->own() > 0)
-        options.netlist.warn = [](const std::string&) {}; // rank 0 has the same warnings
+        options.netlist.warn = [](const std::string&) {}; // rank 0 prints the same warnings
     std::optional<Network> loaded = load(options, command);
     if (!loaded)
         return ExitCode::success;
@@ -375,8 +384,9 @@ void add_searches(Options& command, RunOptions& options) {
         .check(not_at_least_one)
         .show_default()
         .needs(checkpoint);
-    command.add_flag("--watch", options.watch,
-                     "shows best, mean and diversity during the run: a curve on a terminal, else lines of text");
+    command.add_flag(
+        "--watch", options.watch,
+        "shows best fitness, mean fitness and diversity during the run: a curve on a terminal, else lines of text");
 }
 
 void add_trace(Options& command, RunOptions& options) {
@@ -409,12 +419,12 @@ Action declare_run(Options& command, const std::string& typed) {
                      "prints the code that booted transputers executed, with its cycles");
     command.add_flag("--analyse", options->analyse,
                      "prints the state of booted transputers at the end: registers, queues, processes that wait");
-    command.add_flag(
-        "--step", options->step,
-        "executes a booted program step by step, by commands of standard input: s, c, b, r, w, q, m, l, quit");
+    command.add_flag("--step", options->step,
+                     "executes a booted program step by step, controlled by commands from standard input: s, c, b, r, "
+                     "w, q, m, l, quit");
     command
         .add("--offer", options->offer,
-             "offers the link to the host to another program, such as \"placedpar send\", and does not send FILE: at "
+             "offers the host's link to another program, such as \"placedpar send\", instead of sending FILE; WHERE is "
              "tcp:PORT, tcp:ADDRESS:PORT, or pty for a pseudo terminal")
         .type("WHERE")
         .check(not_a_name);

@@ -45,8 +45,8 @@ std::string print_end(const iserver::BoardRun& run) {
     return run.exit == 0 ? "exited with success" : fmt::format("exited with status {}", run.exit);
 }
 
-/// The host of a simulated run, which repeats the replies of a run on a board. If the program makes another request
-/// than on the board, the host does not reply.
+/// The host of a simulated run, which repeats the replies of a run on a board. If the program's request differs from
+/// the request on the board, the host does not reply.
 class RepeatedHost {
 public:
     explicit RepeatedHost(std::span<const iserver::Exchange> exchanges) : exchanges_(exchanges) {}
@@ -171,7 +171,7 @@ Action declare_send(Options& command, const std::string&) {
 
 extern const Command send_command{
     .name = "send",
-    .about = "Boots a real board with a file and serves its program",
+    .about = "Boots a real transputer board with a file, and serves the requests of its program",
     .place = 46,
     .declare = declare_send,
 };

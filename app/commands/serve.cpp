@@ -41,7 +41,9 @@ ExitCode start(const ServeOptions& options) {
 Action declare(Options& command, const std::string&) {
     auto options = std::make_shared<ServeOptions>();
     ServiceSettings& settings = options->settings;
-    command.add("--address", settings.address, "address to listen on; other computers need a token").show_default();
+    command
+        .add("--address", settings.address, "address to listen on; needs --token-file if other computers can reach it")
+        .show_default();
     add_number(command, "--port", settings.port, 0, 65535, "port to listen on; 0: any free port, which is printed")
         .show_default();
     add_file(command, "--token-file", settings.token_file, "file with the token that browsers must send as a password");
@@ -50,7 +52,7 @@ Action declare(Options& command, const std::string&) {
     add_file(command, "--keep", settings.keep, "stores each program that is run, with its answer, in this folder",
              "FOLDER");
     add_jobs(command, settings.queue.at_once, "number of runs at a time; others wait. Default: number of cores");
-    add_number(command, "--seconds", settings.queue.run.seconds, 1, 3600, "time that a run may take").show_default();
+    add_number(command, "--seconds", settings.queue.run.seconds, 1, 3600, "seconds that a run may take").show_default();
     add_number(command, "--memory", settings.queue.run.megabytes, 256, 1 << 20, "Mbyte of memory that a run may take")
         .show_default();
     command.add_flag("--job", options->job,

@@ -38,7 +38,7 @@ struct SweepOptions {
     ReadOptionsTyped read;
     std::optional<std::uint64_t> seed, seeds;
     std::optional<Time> until;
-    std::string results; ///< "": named after the study
+    std::string results; ///< "": the file is named after the study
     std::size_t jobs = 0;
     bool yes = false, any_version = false;
 };
@@ -174,8 +174,7 @@ bool make_missing_runs(const Study& study, const SweepOptions& options, StudyRes
             return false;
     sweep.try_measures(interruption);
     missing = sweep.missing();
-    SweepProgress progress(
-        asked, asked.runs - std::min(missing.runs, asked.runs)); // the first runs were made to find the measures
+    SweepProgress progress(asked, asked.runs - std::min(missing.runs, asked.runs)); // with runs of try_measures()
     std::function<bool(bool)> serve;
     if (others) {
         others->begin(sweep, results.source());
@@ -249,7 +248,7 @@ ExitCode sweep(const SweepOptions& typed) {
 
 void add_size(Options& command, SweepOptions& options) {
     add_count(command, "--seed", options.seed, "the first seed; default: 1");
-    add_count(command, "--seeds", options.seeds, "number of seeds for each combination, counted from the first seed")
+    add_count(command, "--seeds", options.seeds, "number of consecutive seeds for each combination")
         .check(not_at_least_one);
     command.add("--until", options.until, "stops each run at this simulated time");
     add_jobs(command, options.jobs,
@@ -264,14 +263,15 @@ Action declare_sweep(Options& command, const std::string&) {
         .check(not_a_name);
     command
         .add("SETTING", options->settings,
-             "NAME=VALUES: values to try, in all combinations: slaves=0..7 linkspeed=5M,10M")
+             "NAME=VALUES: values to try, in all combinations, such as slaves=0..7 linkspeed=5M,10M")
         .type("");
     command.add_list("--measure", options->measures, "MEASURE",
-                     "a measure to report: time, master.T_exe, max(slave.T_c); may be repeated");
+                     "a measure to report, such as time, master.T_exe or max(slave.T_c); may be repeated");
     add_size(command, *options);
     add_read_options(command, options->read);
     add_file(command, "--results", options->results,
-             "file of the results, which is read and extended; default: the study's name with .sqlite, in this folder");
+             "file of the results, which is read and extended; default: the study's name with .sqlite, in the current "
+             "folder");
     command.add_flag("--yes", options->yes, "starts any number of runs without asking");
     command.add_flag("--any-version", options->any_version,
                      "adds runs even if another version of PlacedPar made the results in the file");

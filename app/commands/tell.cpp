@@ -92,7 +92,7 @@ Action declare_tell(Options& command, const std::string&) {
 
 } // namespace
 
-/// Sends one message to a running monitor and prints its answer, a line of JSON.
+/// This command sends one message to a running monitor and prints the monitor's answer, a line of JSON.
 extern const Command tell_command{
     .name = "tell",
     .about = "Sends a command to a running monitor: list alarms, acknowledge or shelve one, forget a machine",

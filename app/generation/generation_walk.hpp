@@ -28,7 +28,7 @@ inline constexpr std::size_t walk_bits = 4;
 /// is 1 for the string 1011 and 0 for all others (Figure 6.5).
 std::vector<std::string> walk_functions();
 
-/// The random numbers of a pair of mates and their effect.
+/// The random numbers drawn for a pair of mates, and whether the pair was crossed.
 struct Mating {
     double drawn; ///< random number; if it is below the crossover probability, the pair is crossed
     bool crossed;
@@ -40,14 +40,15 @@ struct WalkedGeneration {
     std::size_t number; ///< counted from 1
     std::vector<Genome> population = {};
     std::vector<double> fitness = {};
-    std::vector<double> spins = {};        ///< positions of the roulette, 0 to 1; empty if no fitness is positive
+    std::vector<double> spins = {};        ///< random positions on the roulette wheel, 0 to 1; empty if no fitness is
+                                           ///< positive
     std::vector<std::size_t> parents = {}; ///< indices in the population; empty if no fitness is positive
     std::vector<Genome> reproduced = {};
     std::vector<Mating> matings = {}; ///< mating of strings 0 and 1, of strings 2 and 3, ...
     std::vector<Genome> crossed = {}, mutated = {};
 };
 
-/// Makes the same generations as Search with the same settings and stream, bit by bit, and records the random numbers.
+/// Makes exactly the generations that Search makes with the same settings and stream, and records the random numbers.
 class GenerationWalk {
 public:
     /// Throws UserError as SearchSettings::validate() does, and for an unknown function.

@@ -39,7 +39,7 @@ struct LinkMovements {
     WayUnits units{};
 };
 
-/// Collects the movements of a record that are evidence, as verdicts do.
+/// Collects the movements of a record that count as evidence, by the rules of the verdicts.
 class MovementsOfRecord {
 public:
     explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
@@ -62,7 +62,8 @@ public:
                 };
                 set(TrendValue::compliance, FaultHypothesis::compliance, health, units.compliance_in3_per_psi);
                 set(TrendValue::leak, FaultHypothesis::leak, 0, units.leak_in3_per_s_psi);
-                if (deviations.front().by[index_of(FaultHypothesis::offset)] != 0) // areas as read have no offset
+                if (deviations.front().by[index_of(FaultHypothesis::offset)] != 0) // areas that are measured directly
+                                                                                   // have no offset
                     set(TrendValue::offset, FaultHypothesis::offset, 0, units.offset_in);
             }
     }
@@ -80,7 +81,8 @@ private:
     PerLink<LinkMovements> links_;
 };
 
-/// Returns the deviation of the equations' error from record to record (identification/verdict/deviation.hpp).
+/// Returns the standard deviation, from record to record, of the compliance's error that the equations cause
+/// (identification/verdict/deviation.hpp).
 double repeat_error(double healthy_in3_per_psi) {
     return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
 }
@@ -102,8 +104,8 @@ void require_equal_sources(const std::vector<RecordAnswer>& before, const Record
             const std::string_view here = answer.source[index_of(link)], there = each.source[index_of(link)];
             if (!here.empty() && !there.empty() && here != there)
                 throw UserError(fmt::format(
-                    "{}: the compliance of the {} is found {}, but in {} {}: expected one source in all records, "
-                    "chosen by --areas-from, or by --configuration if only some have a configuration to recognise",
+                    "{}: the compliance of the {} is found {}, but in {} {}: expected one source in all records; "
+                    "choose it by --areas-from, or by --configuration if it is recognised only in some records",
                     answer.record, name_of(link), here, each.record, there));
         }
 }

@@ -26,7 +26,7 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t most_columns = 8; ///< number of searches in a table, so that its lines fit a screen
+constexpr std::size_t most_columns = 8; ///< largest number of searches in a table, so that its lines fit a screen
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 
@@ -117,7 +117,8 @@ boost::json::object answers_json(const SearchAnswers& answers, std::span<const S
             {"answers", std::move(all)}};
 }
 
-/// Returns whether sensors read the samples in time. Throws UserError if they read with another period.
+/// Returns whether sensors read the samples in time. Throws UserError if the period of the sensors differs from
+/// `period_s`.
 bool has_sensors(const Network& network, double period_s) {
     auto sensors = std::ranges::find(network.processes, "ga.sensors", &ProcessInstance::kind);
     if (sensors == network.processes.end())

@@ -35,7 +35,8 @@ int opened(const std::filesystem::path& path) {
     return descriptor;
 }
 
-/// Waits briefly for input or its end, because a read from a pipe could block. Returns whether a read would not block.
+/// Waits briefly for input or the end of the input, because a read from a pipe could block. Returns whether a read
+/// would not block.
 bool readable(int descriptor) {
     constexpr int patience_ms = 200;
     pollfd asked{descriptor, POLLIN, 0};

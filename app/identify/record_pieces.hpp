@@ -16,11 +16,11 @@
 namespace placedpar {
 
 /// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as by load_record. Only the first 20 warnings are shown. A warning that
-/// occurs again in a later piece is counted, and the counts are shown at the end.
+/// text are in memory. Errors are reported as load_record() reports them. Only the first 20 warnings are shown. A
+/// warning that occurs again in a later piece is counted, and the counts are shown at the end.
 class RecordPieces final : public RecordStream {
 public:
-    static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece, which ends at the end of a
+    static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece; a piece ends at the end of a
                                                         ///< line
 
     /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
@@ -35,7 +35,8 @@ public:
     std::optional<hydraulics::Record> next() override;
 
     std::uint64_t bytes() const override { return bytes_; }
-    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    /// Returns the date of the record's time 0, in s since 1970; nothing if the file has no dates or no piece has been
+    /// read.
     std::optional<double> begun_s() const { return reader_.begun_s(); }
     bool stopped() const override { return stopped_; }
     /// Returns the warnings that were shown.

@@ -19,7 +19,7 @@ using namespace identification;
 namespace {
 
 struct TrendValueName {
-    std::string_view name, unit, key; ///< `key`: in JSON
+    std::string_view name, unit, key; ///< `key`: name in JSON
 };
 
 const TrendValueName& named(TrendValue value) {
@@ -156,7 +156,7 @@ std::string print_trend(const Trend& trend) {
                             fewest_for_scatter);
     return text + fmt::format("{}the test reports a change for {:.0f} % of the links that do not change\n",
                               trend.dated() ? ""
-                                            : "not every record has a date, so they are in the order of the "
+                                            : "not every record has a date, so the records are in the order of the "
                                               "command line\n",
                               100 * trend_false_alarms);
 }

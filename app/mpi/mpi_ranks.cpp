@@ -34,17 +34,16 @@ bool is_complete(MPI_Request& request) {
     return complete != 0;
 }
 
-/// Returns a length as an int, in which MPI counts bytes. Throws std::length_error if the length does not fit into an
-/// int.
+/// Returns a length as an int, because MPI counts bytes in an int. Throws std::length_error if the length does not fit
+/// into an int.
 int mpi_length(std::size_t bytes) {
     if (!std::in_range<int>(bytes))
         throw std::length_error("a message between ranks has more than 2147483647 bytes");
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance. This is as fast as MPI's own receiving; a letter that MPI
-/// has to buffer takes several times as long. MPI fills the places in the order of arrival, so only one place at a time
-/// is checked.
+/// Receives letters into memory that MPI knows in advance: a letter that MPI must buffer first takes several times as
+/// long as such a letter. MPI fills the places in the order of arrival, so only one place at a time is checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {
@@ -178,7 +177,7 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// An exception of one rank is reported to the other ranks by messages and does not end these ranks.
+    /// `false`: an exception in one rank does not abort the other ranks; they learn of it by messages.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

@@ -41,7 +41,7 @@ std::string not_a_size(const std::string& text) {
 
 std::string not_memory_cycles(const std::string& text) {
     const std::optional<std::uint64_t> cycles = parse_number<std::uint64_t>(text);
-    return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected from 1 to 1000 cycles", text);
+    return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected 1 to 1000 cycles", text);
 }
 
 /// Returns the character that a letter after a backslash means; nothing if it has no meaning.
@@ -97,7 +97,8 @@ void refuse_for_netlists(const Options& typed, const NetlistOptions& netlist, co
     const bool has_code = std::ranges::any_of(network.nodes, [](const Node& node) { return node.image != nullptr; });
     for (const char* option : occam_options)
         if (typed.is_given(option) && !has_code)
-            throw UserError(fmt::format("{}: no process of {} is in occam", option, netlist.file));
+            throw UserError(
+                fmt::format("{}: no process of {} is in occam, so this option has no effect", option, netlist.file));
     if (has_bootable_file(network))
         return;
     if (!options.arguments.empty())
@@ -120,7 +121,7 @@ HostServices services_of(const BootedOptions& options) {
 }
 
 void add_host(Options& command, BootedOptions& options, const std::string& heading) {
-    command.add("ARGUMENTS", options.arguments, "behind --: the command line of the booted program");
+    command.add("ARGUMENTS", options.arguments, "words after --, which are the command line of the booted program");
     add_file(command, "--host-folder", options.folder, "the only folder whose files the program can use")
         .group(heading);
     command.add("--keys", options.keys, "the keys that are pressed for the program; \\r is the return key")
@@ -147,7 +148,7 @@ void add_machine(Options& command, BootedOptions& options, const std::string& he
         .show_default()
         .group(heading);
     add_count(command, "--memorycycles", options.memory_cycles,
-              "cycles of an access to the external memory of this transputer")
+              "number of cycles that an access to this transputer's external memory takes")
         .check(not_memory_cycles)
         .show_default()
         .group(heading);

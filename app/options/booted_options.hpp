@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// The options of a command that runs transputers which execute their own code: the transputer of a program without a
-/// netlist, and its host.
+/// The options of a command that runs transputers which execute code: the options of the host and, for a program
+/// without a netlist, of its transputer.
 struct BootedOptions : ProgramMachine {
     std::string folder;
     std::optional<std::string> keys; ///< no value: keys come from the terminal or standard input
@@ -42,8 +42,9 @@ std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOpt
                                                                  std::function<void()> unread,
                                                                  bool uses_standard_input = true);
 
-/// Reads the netlist. If the file is bootable, makes a network of one transputer with a host that boots it. The network
-/// gets the services of its hosts. Throws RefusedInput; throws UserError if an option does not fit the file.
+/// Reads the netlist. If the file is bootable, makes a network of one transputer with a host that boots it. Gives the
+/// network's hosts the services that the options describe. Throws RefusedInput; throws UserError if an option does not
+/// fit the file.
 Network load_network(const Options&, const NetlistOptions&, const BootedOptions&);
 
 } // namespace placedpar

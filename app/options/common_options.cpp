@@ -15,12 +15,12 @@ std::string not_a_whole_number(const std::string& text) {
 
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most) {
     std::optional<std::uint64_t> number = parse_number<std::uint64_t>(text);
-    bool octal = text.size() > 1 && text[0] == '0'; // CLI11 would read it as octal
+    bool octal = text.size() > 1 && text[0] == '0'; // CLI11 would read such a number as octal
     bool right = number && !octal && *number >= least && *number <= most;
     return right ? "" : fmt::format("\"{}\" is not a whole number from {} to {}", text, least, most);
 }
 
-std::string not_at_least_one(const std::string& text) { return text == "0" ? "at least 1" : ""; }
+std::string not_at_least_one(const std::string& text) { return text == "0" ? "expected at least 1" : ""; }
 
 std::string not_a_name(const std::string& text) {
     return text.empty() ? "the name is empty; expected a file name" : "";

@@ -16,7 +16,7 @@ std::string not_a_number_within(const std::string& text, std::uint64_t least, st
 std::string not_at_least_one(const std::string& text); ///< checks a whole number
 std::string not_a_name(const std::string& text);       ///< checks a name, which cannot be ""
 
-/// Declares --seed. Without `about`, its help says that the seed is for all random numbers.
+/// Declares --seed. Without `about`, the option's help says that the seed is for all random numbers.
 void add_seed(Options& command, std::uint64_t& seed,
               const std::string& about = "seed of all random numbers: equal seeds give equal runs");
 

@@ -78,8 +78,8 @@ void add_native(Options& command, NativeOptions& options) {
     add_threads(command, options.threads);
     command
         .add("--map", options.map,
-             "distributes processors over the threads of a native run: in turn, or by the loads of a simulated run, "
-             "which comes first")
+             "distributes processors over the threads of a native run: in turn (modulo), or by the loads that a "
+             "simulated run measures first (balance)")
         .one_of({"modulo", "balance"});
     command
         .add("--pace", options.pace,

@@ -23,9 +23,9 @@ struct RecordedFiles; // app/recorders.hpp
 /// The options of a command that can run a netlist natively (native/native_run.hpp).
 struct NativeOptions {
     bool is_native = false;
-    std::size_t threads = 0; ///< 0: one for each core, but not more than can have processes
+    std::size_t threads = 0; ///< 0: one for each core, but not more than the network can use
     double pace = 0;         ///< 0: processes compute at the speed of this computer
-    std::string map;         ///< "modulo", "balance", or "", which is "modulo"
+    std::string map;         ///< "modulo" or "balance"; "" means "modulo"
 };
 
 void add_native(Options&, NativeOptions&);
@@ -41,8 +41,8 @@ void refuse_with_native(const NativeOptions&, bool predicts, const std::vector<s
 /// the run, if it is not null. Throws as run_netlist does. REQUIRES: the settings have an interruption.
 RunReport run_natively(const Network&, const NativeOptions&, const RunSettings&, NativeTrace* trace);
 
-/// Writes the files that show the course of a native run. Threads or ranks replace the nodes. Throws UserError if a
-/// file cannot be written.
+/// Writes the files that show the course of a native run. The files show threads or ranks instead of nodes. Throws
+/// UserError if a file cannot be written.
 void write_recorded(const RecordedFiles&, const NativeTrace&, const PageContent&);
 
 /// Returns the ranks of mpirun on which a native run is made; null if it is made on this computer alone.
@@ -61,7 +61,7 @@ struct LoadedRun {
 bool load_in_all(Ranks&, const NativeOptions&, std::uint64_t seed, const std::function<LoadedRun()>& load);
 
 /// Runs the network natively on the ranks. The observer and the checkpoints of rank 0 receive the events and the states
-/// of all ranks. `trace`: records the run in rank 0, if it is not null. Returns nothing in the other ranks, which must
+/// of all ranks. `trace` records the run in rank 0, if it is not null. Returns nothing in the other ranks, which must
 /// then end silently. Throws in rank 0 alone, as run_netlist does. REQUIRES: called in all ranks, after load_in_all().
 std::optional<RunReport> run_on_ranks(const Network&, const NativeOptions&, const RunSettings&, Ranks&,
                                       NativeTrace* trace);

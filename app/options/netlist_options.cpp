@@ -22,7 +22,7 @@ Option add_set(Options& command, std::vector<std::string>& settings, const std::
 
 namespace {
 
-/// Splits `text` at its first `=`. Throws UserError, stating what the option takes, if there is none.
+/// Splits `text` at its first `=`. If there is none, throws UserError, which states what the option takes.
 std::pair<std::string, std::string> cut_at_equals(const std::string& option, const std::string& text,
                                                   const std::string& takes) {
     std::size_t equals = text.find('=');
@@ -81,7 +81,7 @@ void add_netlist(Options& command, NetlistOptions& options) {
 void add_predict(Options& command, NetlistOptions& options) {
     const Option predict =
         add_file(command, "--predict", options.calibration,
-                 "simulates a native run on the computer that FILE describes: placedpar calibrate writes it");
+                 "simulates a native run on the computer that FILE describes; placedpar calibrate writes such a file");
     add_number(command, "--ranks", options.ranks, 1, native::most_threads,
                "number of ranks of mpirun for which --predict simulates the run, instead of threads")
         .needs(predict);

@@ -48,8 +48,8 @@ struct TypedNetlist {
     ParsedNetlist parsed;
     Overrides set;
 };
-/// Parses the netlist, or with --predict the netlist of its native run (explore/prediction/native_netlist.hpp), which
-/// has no settings. Throws as load_network().
+/// Parses the netlist. With --predict, parses the netlist of its native run (explore/prediction/native_netlist.hpp), to
+/// which no settings apply. Throws as load_network().
 TypedNetlist parse_netlist(const NetlistOptions&, const WarningSink&);
 
 /// Reads the netlist. Throws RefusedInput.

@@ -6,7 +6,8 @@ void add_occam(Options& command, OccamOptions& options) {
     const std::string heading = "Programs in occam";
     command
         .add("--mode", options.mode,
-             "what an error of an occam program does: halts its processor, stops its process, or either")
+             "what an error of an occam program does: halts its processor (halt), stops its process (stop), or halts "
+             "the processor if it can halt, and otherwise stops the process (universal)")
         .one_of({"halt", "stop", "universal"})
         .show_default()
         .group(heading);

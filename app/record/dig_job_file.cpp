@@ -85,12 +85,13 @@ private:
         if (job_.duration_s() > most_s)
             report(places_.front(),
                    fmt::format("the job lasts {:g} s, expected at most {:g}", job_.duration_s(), most_s),
-                   "fewer moves, or a smaller repeat");
+                   "use fewer moves, or a smaller repeat");
         else if (auto move = unreachable_move(job_, machine_.arm, machine_.joystick_lag_s, machine_.control_period_s))
-            report(places_[*move % moves],
-                   fmt::format("the arm does not reach the tip's path in {}",
-                               *move < moves ? "this move" : "a repetition of this move"),
-                   "a shorter or slower move, or another start; with repeat, the moves should lead back to the start");
+            report(
+                places_[*move % moves],
+                fmt::format("the arm does not reach the tip's path in {}",
+                            *move < moves ? "this move" : "a repetition of this move"),
+                "use a shorter or slower move, or another start; with repeat, the moves should lead back to the start");
         refuse_if_failed();
     }
 

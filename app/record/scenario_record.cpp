@@ -38,7 +38,7 @@ Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, co
                  RandomStream noise) {
     try {
         return scenario.make(parameters, moving, [&] { return noise.uniform(); });
-    } catch (const UnfitScenario& unfit) { // from a job: the soil may lift a load
+    } catch (const UnfitScenario& unfit) { // a job can be impossible, for example if its soil lifts a load
         throw UserError(moving.job ? fmt::format("--job {}: {}", moving.job->name, unfit.what()) : unfit.what());
     } catch (const std::domain_error&) { // from Boost's solver: the flows at the ends of the interval have equal signs
         throw UserError(fmt::format("{} cannot be simulated with these parameters: no pressure balances the "

@@ -12,12 +12,12 @@
 
 namespace placedpar {
 
-/// Returns the scenario with this name. Throws UserError, which lists all scenarios.
+/// Returns the scenario with this name. If there is none, throws a UserError that lists all scenarios.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
 
-/// Returns the scenario's parameters on a machine, after applying --noise and --set. A value is a number in the
+/// Returns the scenario's parameters for a machine, after applying --noise and --set. A value is a number in the
 /// parameter's own unit, or a number with another unit of the same quantity: "4.1e-11 m^3/Pa". Throws UserError for an
 /// unknown noise level or name, for a value that is not a number or has a unit of another quantity, and for a value
 /// outside the parameter's range.
@@ -32,8 +32,8 @@ std::string list_parameters(const hydraulics::RecordScenario& scenario, const hy
 std::string list_record_scenarios();
 
 /// Returns the record. Its description contains the true compliance and the command that makes the same record again,
-/// with every parameter that differs from the program's default. Throws UserError, naming the first instant and
-/// channel, if unrealistic parameters give values that no sensor could read.
+/// with every parameter that differs from the program's default. Throws UserError if unrealistic parameters give values
+/// that no sensor could read; the message states the first such value, its sensor and its time.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);
 

@@ -27,9 +27,9 @@ double number_of(const Parameter& parameter, const std::string& text) {
     double number = 0;
     auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     if (error != std::errc() || !std::isfinite(number))
-        refuse(parameter, text,
-               fmt::format("expected a number; without a unit after it, it is in {}",
-                           parameter.unit.empty() ? "no unit" : parameter.unit));
+        refuse(
+            parameter, text,
+            fmt::format("expected a number; its default unit is {}", parameter.unit.empty() ? "none" : parameter.unit));
     std::string_view rest(end, text.data() + text.size());
     rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
     if (rest.empty())

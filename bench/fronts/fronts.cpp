@@ -31,7 +31,7 @@ void print(const std::string& name, std::uint64_t seed, const FrontResult& found
         std::printf("%s %llu not feasible\n", name.c_str(), static_cast<unsigned long long>(seed));
     for (const FrontIndividual& each : found.front) {
         if (&each != &found.front.front() && each.objectives.size() == 1)
-            break; // individuals of equal value
+            break; // the other individuals have the same value
         std::printf("%s %llu", name.c_str(), static_cast<unsigned long long>(seed));
         for (double value : each.objectives) {
             std::printf(" %.17g", value);

@@ -156,12 +156,12 @@ int main(int argc, char** argv) {
     print(results, chases);
     for (auto [rival, missing] : {std::pair("GAlib", galib().empty()), std::pair("pagmo", pagmo().empty())})
         if (missing)
-            fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);
+            fmt::print("{} is missing: fetch it by tools/rivals.sh, then configure again\n", rival);
     fmt::print("fingerprint {:016x}\n", results.front().fingerprint());
     bool same_bits = true;
     for (std::size_t i = 1; i < ours().size() - 3; ++i) // the results of different vector widths
         same_bits = same_bits && results[i].fingerprint() == results.front().fingerprint();
     if (!same_bits)
-        fmt::print(stderr, "all vector widths should have given the same answers\n");
+        fmt::print(stderr, "error: the vector widths gave different answers, but must give the same\n");
     return same_bits ? 0 : 1;
 }

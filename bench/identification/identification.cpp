@@ -198,20 +198,19 @@ int main(int argc, char** argv) {
     print_head();
     for (const Result& result : results)
         print(result, transients, optima);
-    fmt::print(
-        "* all of a transient's time over its error evaluations. The optimum is that of the last window; codes of 10 "
-        "bits are {:.2f} % apart.\n"
-        "** a string that was evaluated for the same window is not evaluated again.\n",
-        100 * Transient::largest / 1024 / single_boom_mechanics().inlet_compliance_in3_per_psi);
+    fmt::print("* time of a transient, divided by its number of error evaluations. The optimum is for the last window; "
+               "codes of 10 "
+               "bits are {:.2f} % apart.\n"
+               "** a string that was evaluated for the same window is not evaluated again.\n",
+               100 * Transient::largest / 1024 / single_boom_mechanics().inlet_compliance_in3_per_psi);
     for (auto [rival, missing] : {std::pair("GAlib", galib().empty()), std::pair("pagmo", pagmo().empty())})
         if (missing)
-            fmt::print("{} is missing: tools/rivals.sh fetches it, then configure again\n", rival);
+            fmt::print("{} is missing: fetch it by tools/rivals.sh, then configure again\n", rival);
     const auto own = std::span<const Result>(results).first(ours().size());
     same_bits = same_bits && agree(own);
     fmt::print("fingerprint {:016x}\n", fingerprint(own));
     if (!same_bits)
-        fmt::print(stderr,
-                   "the plain loop, one by one and vectorised should have given the same answers, and so should "
-                   "all vector widths\n");
+        fmt::print(stderr, "error: contestants with the same algorithm gave different answers, but must give the same "
+                           "bits\n");
     return same_bits ? 0 : 1;
 }

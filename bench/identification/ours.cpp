@@ -142,7 +142,7 @@ Answer serve(const Transient& transient, std::size_t width, Mutation mutation) {
         set.take(problem, {sample}, time_s += 0.02);
     use_vector_width(widest_vector_width());
     if (set.state().generations != transient.windows() * Transient::trials)
-        throw std::logic_error("the service has made another number of generations");
+        throw std::logic_error("the service has not made the expected number of generations");
     return {set.state().estimates.front().compliance_in3_per_psi().value(), 0};
 }
 

@@ -1,6 +1,6 @@
 """usage: rival_deap.py GENERATIONS
 
-A genetic algorithm of DEAP on Rastrigin's function of 20 numbers: 200 individuals, evaluated by two processes of
+Runs a genetic algorithm of DEAP on Rastrigin's function of 20 numbers: 200 individuals, evaluated by two processes of
 multiprocessing. Prints the seconds and the best value.
 """
 

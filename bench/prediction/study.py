@@ -5,7 +5,7 @@ Calibrates this computer, and compares predicted with measured times of native r
 two ranks of mpirun if it is installed: farms of 1 to 7 slaves, islands and pipelines, with evaluations of about 1 us to
 10 ms. Then compares two threads with one, with DEAP, and with pagmo.
 Writes calibration, tables (CSV) and plots (SVG, by gnuplot) into FOLDER. Takes some minutes; --quick makes a few runs
-only. A measured time is the median of the runs; the least time is beside it, since other programs may delay a run.
+only. A measured time is the median of the runs. The least time is printed beside it, because other programs may delay a run.
 """
 
 import argparse
@@ -111,7 +111,7 @@ def rivals(program, runs, quick):
     python = next((each for each in (sys.executable, "/usr/bin/python3")
                    if subprocess.run([each, "-c", "import deap"], capture_output=True, check=False).returncode == 0), None)
     if python is None:
-        print("... DEAP: skipped, not installed (Debian's python3-deap)")
+        print("... DEAP: skipped, because it is not installed (Debian's python3-deap)")
         return
     script = pathlib.Path(__file__).with_name("rival_deap.py")
     answers = [subprocess.run([python, script, str(generations)], check=True, capture_output=True, text=True).stdout.split()
@@ -119,7 +119,7 @@ def rivals(program, runs, quick):
     print(f"... DEAP with multiprocessing, two processes: {min(float(answer[0]) for answer in answers):.3f} s")
     rival = pathlib.Path(program.path).resolve().parents[1] / "bench" / "rastrigin" / "rastrigin_archipelago"
     if not rival.exists():
-        print("... pagmo: skipped, since it was missing when PlacedPar was built: tools/rivals.sh fetches it")
+        print("... pagmo: skipped, because it was missing when PlacedPar was built: fetch it by tools/rivals.sh, and build again")
         return
     answers = [subprocess.run([rival, str(generations)], check=True, capture_output=True, text=True).stdout for _ in range(runs)]
     print(f"... pagmo's archipelago, two islands: {min(answers, key=lambda each: float(each.split()[0])).strip()}")
@@ -167,7 +167,7 @@ def main():
     if ranks:
         draw(compare(program, calibration, "ranks", runs, options.quick), options.folder, "prediction-ranks")
     else:
-        print("two ranks: skipped, since mpirun is missing, or PlacedPar was built without MPI")
+        print("two ranks: skipped, because mpirun is missing, or PlacedPar was built without MPI")
     speedups(program, runs, options.quick)
     rivals(program, runs, options.quick)
     print(f"load: {os.getloadavg()[0]:.1f}")

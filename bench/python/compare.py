@@ -23,7 +23,7 @@ SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
 
 class Skipped(Exception):
-    """Says why a comparison is not made."""
+    """States the reason why a comparison is not made."""
 
 
 def seconds(work, repeats=1 if SMALL else 5):
@@ -37,7 +37,7 @@ def seconds(work, repeats=1 if SMALL else 5):
 
 
 class Prefix(pp.Process):
-    """The first process of the ring: sends a number around it again and again."""
+    """The first process of the ring: sends a number around the ring many times."""
     inp = pp.Input(int)
     out = pp.Output(int)
     rounds = 10
@@ -192,7 +192,7 @@ def command_line():
     program = os.environ.get("PLACEDPAR") or (built if built.exists() else shutil.which("placedpar"))
     netlist = os.environ.get("PLACEDPAR_NETLIST") or SOURCE / "examples" / "thesis" / "figure-e2" / "figure-e2.cfs"
     if program is None:
-        raise Skipped("the program placedpar is not beside the module: PLACEDPAR=... states it")
+        raise Skipped("the program placedpar is not beside the module: set PLACEDPAR to its path")
     in_python = "import placedpar as pp, sys\nnet = pp.load(sys.argv[1])\nfor i in range(int(sys.argv[2])): net.run(1 + i)"
     counts = shutil.which("valgrind")
     cost = instructions if counts else user_time
@@ -211,7 +211,7 @@ def main():
             print(f"{comparison.__name__}: skipped: {missing}")
             continue
         what, ours, theirs, rival = result
-        print(f"{what}: {ours:,.0f}; {rival}: {theirs:,.0f}; {ours / theirs:.2f} times")
+        print(f"{what}: {ours:,.0f}; {rival}: {theirs:,.0f}; {ours / theirs:.2f} times as many")
         missed = missed or ours < theirs * (LEAST_OF_COMMAND_LINE if rival == "the command line" else 1)
     return 3 if missed else 0
 

@@ -1,7 +1,7 @@
 // This program evolves an archipelago of pagmo on Rastrigin's function in 20 dimensions: two islands in a ring, each on
-// a thread of its own, with 100 individuals of the genetic algorithm `sga`, which exchange after every third
-// generation. It prints the seconds of the wall clock, the evaluations and the best value. It uses nothing of
-// PlacedPar.
+// a thread of its own. Each island has 100 individuals and uses the genetic algorithm `sga`. The islands exchange
+// individuals after every third generation. The program prints the seconds of the wall clock, the evaluations and the
+// best value. It uses nothing of PlacedPar.
 //
 // usage: rastrigin_archipelago GENERATIONS
 

@@ -107,6 +107,6 @@ int main(int argc, char** argv) {
     for (const Result& result : results)
         print(result, static_cast<std::size_t>(seeds));
     if (pagmo().empty())
-        fmt::print("pagmo is missing: tools/rivals.sh fetches it, then configure again\n");
+        fmt::print("pagmo is missing: fetch it by tools/rivals.sh, then configure again\n");
     fmt::print("fingerprint {:016x}\n", fingerprint_of(results));
 }

@@ -10,26 +10,26 @@
 
 namespace placedpar::editor {
 
-// These functions return what an editor shows about the word at a place, as plain text in lines.
+// These functions serve requests about the word at a place.
 
-/// Describes a kind, a type, a parameter or attribute with its range, a port, a fault, or a declared name; "" for other
-/// words.
+/// Returns lines of plain text that describe a kind, a type, a parameter or attribute with its range, a port, a fault,
+/// or a declared name; "" for any other word.
 std::string hover_netlist(const NetlistSyntax&, const Catalogue&, const Location&);
-/// Describes the declaration of a name: its first line, and its type.
+/// Returns lines of plain text that describe the declaration of a name: its first line, and the type.
 std::string hover_occam(const occam::Program&, const Location&);
 
-/// Returns where the name at a place is declared, or the beginning of the file that a string there names; nothing for
-/// other words.
+/// Returns where the name at a place is declared. For a string that names a file, returns the beginning of this file.
+/// Returns nothing for any other word.
 std::optional<Location> definition_in_netlist(const NetlistSyntax&, const Location&);
 std::optional<Location> definition_in_occam(const occam::Program&, const Location&);
 
-/// Returns the places of a name, at each of which `new_name` replaces it. Throws UserError if the word at this place is
-/// not a declared name, if an included file uses the name, if the text has errors, or if the new name cannot be one or
-/// is taken.
+/// Returns all places where `new_name` must replace the name at this place. Throws UserError if the word at this place
+/// is not a declared name, if an included file uses the name, if the text has errors, or if `new_name` is not a
+/// possible name or is already declared.
 std::vector<Location> places_to_rename(const NetlistSyntax&, const Catalogue&, const Location&,
                                        const std::string& new_name);
 
-/// A declaration in the outline of a file.
+/// Describes a declaration in the outline of a file.
 struct OutlineEntry {
     std::string name, detail;
     Location at;

@@ -17,7 +17,7 @@ namespace {
 using Category = NetlistName::Category;
 using Place = NetlistContext::Place;
 
-/// Collects completions; each word once.
+/// Collects completions, and adds each word only once.
 class NetlistCompletions {
 public:
     NetlistCompletions(const NetlistSyntax& syntax, const Catalogue& catalogue)
@@ -78,9 +78,9 @@ private:
         for (int i = 0; i < owner.links; ++i)
             add({fmt::format("link[{}]", i), Completion::Kind::port, "link"});
         if (owner.device->bus != BusRole::none)
-            add({"bus[0]", Completion::Kind::port, "place at a bus"});
+            add({"bus[0]", Completion::Kind::port, "connection to a bus"});
         if (owner.device->is_set_by_link())
-            add({"config", Completion::Kind::port, "link by which the device is set"});
+            add({"config", Completion::Kind::port, "link over which a program sets the device"});
         if (owner.device->medium)
             add({"slot[1]", Completion::Kind::port, "slot of the bus"});
     }

@@ -18,7 +18,7 @@ using Tokens = std::vector<Token>;
 
 /// Returns the index of the first token of the statement that a token belongs to.
 std::size_t statement_start(const Tokens& tokens, std::size_t index) {
-    int open = 0; // array constants that end before the token
+    int open = 0; // number of array constants that end before the token and whose beginning has not been reached
     for (; index > 0; --index) {
         const Token& before = tokens[index - 1];
         if (before.is(";") && open == 0)
@@ -116,7 +116,7 @@ NetlistContext context_of(const Tokens& tokens, std::size_t index) {
         return {.place = Place::file};
     if (index == first)
         return {};
-    for (std::size_t i = first; i + 1 < index; ++i) // the body of `rep`, `if` and `else`
+    for (std::size_t i = first; i + 1 < index; ++i) // the statement may be the body of `rep`, `if` or `else`
         if (tokens[i + 1].kind == TokenKind::name && !tokens[i].is(".") && !tokens[i].is(",") && i > first &&
             std::ranges::find(statement_words(), tokens[i + 1].text) != statement_words().end() &&
             (tokens[first].is_word("rep") || tokens[first].is_word("if") || tokens[first].is_word("else")))

@@ -9,7 +9,7 @@
 
 namespace placedpar::editor {
 
-/// Describes what can stand at a place of a netlist, according to the preceding words of the statement.
+/// Describes which words are possible at a place of a netlist, according to the preceding words of the statement.
 struct NetlistContext {
     enum class Place {
         statement, ///< a statement begins here
@@ -17,7 +17,7 @@ struct NetlistContext {
         program,   ///< the string after `use`
         member,    ///< after a dot: a port, a link, a parameter or an attribute of `owner`
         attribute, ///< in the parentheses of `owner`: the name of an attribute or parameter
-        value,     ///< an expression; of an attribute if `attribute` is set
+        value,     ///< an expression; the value of an attribute if `attribute` is set
         thing,     ///< a declared thing, after `connect`, `place`, `to`, `on`, `by` and the like
         fault,     ///< the name of a fault
         new_name,  ///< a name that is being declared
@@ -25,15 +25,15 @@ struct NetlistContext {
     };
     Place place = Place::statement;
     std::string owner = "";     ///< the name or type before the dot or the parentheses
-    std::string attribute = ""; ///< the attribute whose value stands here
+    std::string attribute = ""; ///< the attribute whose value is at this place
     std::string fault = "";     ///< if set, the attributes belong to this fault of `owner`
     std::string word = "";      ///< the word before a thing, such as "place"
 };
 
-/// Returns what stands at the token of this index.
+/// Returns the context at the token of this index.
 NetlistContext context_of(const std::vector<Token>&, std::size_t index);
 
-/// Describes the members of a thing.
+/// Describes a thing whose members an editor can suggest.
 struct NetlistOwner {
     const NetlistName* name = nullptr;                  ///< null for a type or a predefined name
     const ProcessKind* kind = nullptr;                  ///< kind of a process; null if the kind is unknown

@@ -65,8 +65,8 @@ std::string name_text(const NetlistName& name) {
                        name.at.line);
 }
 
-/// Returns the beginning of a file with this name that is beside the netlist or included by it; nothing if there is no
-/// such file.
+/// Returns the beginning of the file of this name, if the file is beside the netlist or the netlist includes it;
+/// otherwise nothing.
 std::optional<Location> named_file(const NetlistSyntax& syntax, const std::string& name) {
     const std::filesystem::path beside = std::filesystem::path(syntax.file->path()).parent_path() / name;
     std::optional<std::filesystem::path> path;
@@ -116,15 +116,14 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
                                        const std::string& new_name) {
     const NetlistName* const name = syntax.name_at(at);
     if (!name)
-        throw UserError("only a name that the netlist declares can be renamed, and there is none at this place: ports, "
-                        "parameters and kinds cannot be renamed");
+        throw UserError("the word at this place cannot be renamed: only names that the netlist declares can be, not "
+                        "ports, parameters or kinds");
     if (has_errors(syntax.diagnostics))
-        throw UserError("the netlist has errors; correct them first, so that all places of the name are found");
+        throw UserError("the netlist has errors; correct the errors first, so that all places of the name are found");
     if (!can_be_a_name(new_name))
-        throw UserError(
-            fmt::format("\"{}\" cannot be a name: a name has letters, digits and _, and is not a word of the "
-                        "language",
-                        new_name));
+        throw UserError(fmt::format(
+            "\"{}\" cannot be a name: a name consists of letters, digits and _, and is not a word of the language",
+            new_name));
     if (syntax.find(new_name))
         throw UserError(fmt::format("\"{}\" is declared already", new_name));
     if (new_name == "host" || catalogue.node_types().contains(new_name))
@@ -135,7 +134,7 @@ std::vector<Location> places_to_rename(const NetlistSyntax& syntax, const Catalo
             places.push_back(each.at);
     for (const Location& each : places)
         if (each.file != syntax.file)
-            throw UserError(fmt::format("\"{}\" is used in {}, line {}, too: rename it there by hand", name->name,
+            throw UserError(fmt::format("\"{}\" is also used in {}, line {}: first rename it there by hand", name->name,
                                         each.file->path(), each.line));
     return places;
 }

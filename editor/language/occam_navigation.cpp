@@ -25,7 +25,7 @@ bool is_in_name(char c) {
     return byte < 0x80 && (std::isalnum(byte) != 0 || c == '.' || c == '_');
 }
 
-/// Returns the name that a place touches, with the column of its first character.
+/// Returns the name at a place or directly before it, and the column of the name's first character.
 std::pair<std::string, std::size_t> name_at(const SourceFile& file, const Location& at) {
     const std::string_view line = file.line(at.line);
     std::size_t first = std::min(at.column - 1, line.size()), last = first;
@@ -41,7 +41,7 @@ std::string text_of_line(const Program& program, const occam::Place& at) {
     return std::string(line.substr(std::min(line.find_first_not_of(' '), line.size())));
 }
 
-/// Calls the function with each declaration of a list that gives something a name.
+/// Calls the function with each declaration of a list that introduces a name.
 template <class Function>
 void for_each_named(const std::vector<DeclarationBox>& declarations, const Function& function) {
     for (const DeclarationBox& each : declarations)
@@ -61,7 +61,7 @@ std::size_t indentation_of(std::string_view line) { return std::min(line.find_fi
 /// scope of the declarations before it. The index is the number of the line.
 std::vector<bool> visible_at(const SourceFile& file, std::size_t line) {
     std::vector<bool> visible(line);
-    std::size_t least = std::string_view::npos; // indentation of the lines between
+    std::size_t least = std::string_view::npos; // smallest indentation of the lines from here to `line`
     for (std::size_t i = line; i-- > 0;) {
         const std::string_view text = file.line(i);
         const std::size_t indentation = indentation_of(text);
@@ -76,7 +76,8 @@ std::string type_text(const Declaration& declaration) {
     return declaration.type && !is_routine(declaration) ? occam::name_of(*declaration.type) : "";
 }
 
-/// Returns the declaration of the name at a place of the main file; null if there is no name or it is not declared.
+/// Returns the declaration of the name at a place of the main file; null if there is no name, or if the name is not
+/// declared.
 const Declaration* meaning_at(const Program& program, const Location& at) {
     const auto [name, column] = name_at(*program.files.front(), at);
     for (const occam::ResolvedName& each : program.resolved)

@@ -11,7 +11,7 @@
 
 namespace placedpar::editor {
 
-/// The error codes of JSON-RPC and of the Language Server Protocol.
+/// Lists error codes of JSON-RPC and of the Language Server Protocol.
 enum class ErrorCode : int {
     parse_error = -32700,
     invalid_request = -32600,
@@ -28,14 +28,14 @@ struct RequestError : std::runtime_error {
     ErrorCode code;
 };
 
-// These functions return a member of an object. They throw RequestError if it is missing or of another type.
+// These functions return a member of an object. They throw RequestError if the member is missing or has another type.
 
 const boost::json::object& object_in(const boost::json::object&, std::string_view name);
 const boost::json::array& array_in(const boost::json::object&, std::string_view name);
 std::string text_in(const boost::json::object&, std::string_view name);
 /// Returns a whole number that is not negative.
 std::uint64_t number_in(const boost::json::object&, std::string_view name);
-/// Returns `{"line": 3, "character": 7}`.
+/// Returns a position, such as `{"line": 3, "character": 7}`.
 Position position_in(const boost::json::object&, std::string_view name);
 
 } // namespace placedpar::editor

@@ -58,7 +58,7 @@ std::optional<std::string> MessageStream::read() {
         if (!line->empty() || !has_fields)
             continue;
         if (!length)
-            throw BadHeader("the header of a message lacks Content-Length");
+            throw BadHeader("the header of the message has no Content-Length");
         std::string message(*length, '\0');
         in_.read(message.data(), static_cast<std::streamsize>(message.size()));
         return in_ ? std::optional(std::move(message)) : std::nullopt;

@@ -11,12 +11,13 @@ namespace placedpar::editor {
 
 inline constexpr std::size_t largest_message_bytes = std::size_t{64} << 20;
 
-/// Reports a header that does not say how long its message is.
+/// Reports a header that does not state the length of its message.
 struct BadHeader : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The messages between an editor and a language server: a header with `Content-Length: N`, an empty line, N bytes.
+/// Reads and writes the messages between an editor and a language server. Each message has a header with
+/// `Content-Length: N`, an empty line, and N bytes.
 class MessageStream {
 public:
     /// REQUIRES: the streams outlive this object.

@@ -29,8 +29,8 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// Adds T_sr, and the mean and the least load of the slaves' processors. A measure of the study would include the
-/// master's processor in the load.
+/// Adds T_sr, and the mean and the least load of the slaves' processors. The loads are computed here because a study's
+/// measure of the load would include the master's processor.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;
@@ -56,7 +56,7 @@ Comparison under_way_table(const StudyReplay& study) {
     return comparison;
 }
 
-/// Plots a table over the number of slaves, with a curve for each form of the farm.
+/// Plots the figures of a table over the number of slaves, with a curve for each form of the farm.
 Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::string& measured,
                  const std::string& title) {
     Panel panel{.title = title, .x = {.label = "slaves"}, .y = {.label = fmt::format("{} [ms]", measured), .from = 0}};

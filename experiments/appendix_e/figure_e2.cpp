@@ -19,7 +19,8 @@ double count_processes(const Network& network, std::string_view kind) {
     return static_cast<double>(std::ranges::count(network.processes, kind, &ProcessInstance::kind));
 }
 
-/// Returns the number of wires between processors of two kinds of processes.
+/// Returns the number of wires between a processor with a process of the kind `kind` and a processor with a process of
+/// the kind `other`.
 double count_wires(const Network& network, std::string_view kind, std::string_view other) {
     const auto has = [&](std::size_t node, std::string_view wanted) {
         return std::ranges::any_of(network.processes, [&](const ProcessInstance& process) {
@@ -53,7 +54,8 @@ Comparison structure_of(const Network& network) {
     return table;
 }
 
-/// Returns what the run measured, beside Table E.2. The thesis computed its rate as 12 times 9.8.
+/// Returns the rate and the speedup of the run beside the figures of Table E.2. The thesis computed its rate as 12
+/// times 9.8.
 Comparison results_of(const RunReport& report) {
     Comparison table{.name = "Figure E.2, the run", .judged = true};
     table.add({.row = "generations of 120 individuals",

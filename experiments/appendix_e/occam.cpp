@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-// This experiment compares programs in occam with the programs that INMOS's compiler made in 1991, and with the
-// thesis's programs.
+// This experiment compares programs in occam, compiled here, with the same programs compiled by INMOS's compiler of
+// 1991, and with the programs of the thesis.
 
 namespace placedpar {
 
@@ -37,8 +37,8 @@ constexpr std::array ways_to_compile{
     WayToCompile{"mode stop", {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop}},
 };
 
-/// A program, the result that it prints, and its times after INMOS's occam compiler 2.01 has compiled it in each of the
-/// three ways. The times are in ticks of 64 us, on the emulated T800 with all memory on the chip.
+/// A program, the result that it prints, and its times when compiled by INMOS's occam compiler 2.01 in each of the
+/// three ways. The times are in ticks of 64 us, measured on the emulated T800 with all memory on the chip.
 struct ProgramOfInmos {
     const char* name;
     double result;
@@ -59,8 +59,8 @@ double ticks_of(const ProgramOfInmos& program, const WayToCompile& way, const Re
     fingerprint.mix(run.fingerprint);
     const std::vector<double> numbers = run.numbers();
     if (numbers.size() != 2 || numbers[0] != program.result)
-        throw UserError(
-            fmt::format("{} did not print {} and its ticks, but\n{}", program.name, program.result, run.text));
+        throw UserError(fmt::format("{} should print the result {} and its ticks, but printed\n{}", program.name,
+                                    program.result, run.text));
     return numbers[1];
 }
 
@@ -81,7 +81,7 @@ Comparison compare_with_inmos(const ReplayContext& context, Fingerprint& fingerp
         }
     for (std::size_t way = 0; way < ways_to_compile.size(); ++way)
         table.add(judged_cell("mean difference", ways_to_compile[way].column, "%", 0, deviations[way], 3, 1));
-    table.notes = "Both codes ran on the emulated T800 with all memory on the chip; a tick has 64 us.\n";
+    table.notes = "The code of both compilers ran on the emulated T800 with all memory on the chip; a tick is 64 us.\n";
     return table;
 }
 
@@ -117,8 +117,9 @@ Comparison compare_evaluations(const ReplayContext& context, Fingerprint& finger
         const bool equal = run.number_behind("fitness of all strings") == fitness_in_cpp();
         table.add(judged_by(Judge::own, judged_cell("fitness of the C++ library", column, "", 1, equal, 0, 0)));
     }
-    table.notes = "72 us: 86.4 ms (Table E.1) for 120 strings and 10 samples. Columns: cycles of an access to external "
-                  "memory.\nfitness of the C++ library: 1 if its bits are equal, with the orifices known\n";
+    table.notes =
+        "72 us: 86.4 ms (Table E.1) / (120 strings x 10 samples). Columns: cycles of an access to external "
+        "memory.\nfitness of the C++ library: 1 if the fitness with the orifices known equals it to the last bit\n";
     return table;
 }
 
@@ -132,28 +133,30 @@ constexpr std::array times_of_table{
     TimeOfTable{"S_time2", {10.5, 10.5, 10.5, 10.5}},
 };
 
-/// Runs a netlist of the thesis whose processes are in C++, without slaves, which do not change the strings.
+/// Runs a netlist of the thesis whose processes are in C++. The run has no slaves, since slaves do not change the
+/// strings.
 RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
     return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
 }
 
-/// Returns the hash of all strings that a process in C++ has bred, as the programs in occam print it.
+/// Returns the hash of all strings that a process in C++ has bred, in the form in which the programs in occam print a
+/// hash.
 std::string hash_in_cpp(const RunReport& report, const char* process) {
     std::string hash = report.measured_text(process, "populations");
     std::ranges::transform(hash, hash.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     return fmt::format("populations #{}#{}", hash.substr(0, 8), hash.substr(8));
 }
 
-/// Makes a cell of 1 if the program has bred the same strings as the process in C++, otherwise 0.
+/// Returns a cell with 1 if the program in occam has bred the same strings as the process in C++, otherwise with 0.
 Cell cell_of_generations(const char* row, const std::string& column, const PrintedRun& run, const std::string& hash) {
     return judged_by(Judge::own, judged_cell(row, column, "", 1, run.text.find(hash) != run.text.npos, 0, 0));
 }
 
-/// A cluster whose programs are in occam. With the usual generator it breeds the strings of ga.master; the congruential
-/// generator takes less time.
+/// A cluster whose programs are in occam. With the usual generator of random numbers, the cluster breeds the same
+/// strings as ga.master. The congruential generator needs less time.
 struct SearchOfCluster {
     const char* name;
-    const char* numbers; ///< the random numbers
+    const char* numbers; ///< name of the generator of random numbers
     const char* population;
     const char* generator;
     bool has_strings_of_cpp;
@@ -174,7 +177,7 @@ PrintedRun run_cluster(const SearchOfCluster& search, std::size_t slaves, const 
                         context);
 }
 
-/// Compares the times with those of the thesis.
+/// Compares the cluster's times with the times in the thesis.
 Comparison compare_cluster(const SearchOfCluster& search, const ReplayContext& context, Fingerprint& fingerprint) {
     Comparison table{.name = search.name, .judged = search.has_strings_of_cpp};
     const RunReport in_cpp = run_in_cpp("table-e1/cluster.cfs", context);
@@ -207,7 +210,7 @@ Comparison compare_islands(const ReplayContext& context, Fingerprint& fingerprin
     return table;
 }
 
-/// Compares the machine of Figure E.2 with a single transputer.
+/// Compares the speedup of the machine of Figure E.2 over a single transputer with the thesis.
 Comparison compare_speedup(const ReplayContext& context) {
     Comparison table{.name = "speedup of sixteen transputers (A + B)"};
     for (const SearchOfCluster& search : {searches_of_clusters[0], searches_of_clusters[1]}) {

@@ -33,8 +33,8 @@ constexpr std::array stages_shown{StageShown{"host", "from_sensors", "1: bus mas
                                   StageShown{"alarm", "from_host", "4: Sun to the other bus master"},
                                   StageShown{"alarm", "from_sensors", "sensors to alarm, mean of all samples"},
                                   StageShown{"alarm", "longest_from_sensors", "  the longest"}};
-constexpr std::size_t first_stage = 2; // index of the first stage in the figures of a run, after whether the alarm was
-                                       // raised and the bus's load
+constexpr std::size_t first_stage = 2; // index of the first stage in the figures of a run; the two figures before it
+                                       // are whether the alarm was raised, and the bus's load
 
 Figures run_to_alarm(const AlarmCase& way, const ReplayContext& context, std::uint64_t seed) {
     ReplayContext own = context;
@@ -88,7 +88,8 @@ void draw_board(SvgPen& pen, double x, std::string_view name, std::string_view p
     pen.text({x, 86}, "inside", name).text({x, 104}, "inside", process);
 }
 
-/// Draws a message from the board at `from` down to the bus, along it at the height `y`, and up to the board at `to`.
+/// Draws the path of a message from the board at `from` down to the bus, along the bus at the height `y`, and up to the
+/// board at `to`.
 void draw_stage(SvgPen& pen, double from, double to, double y, const std::string& label) {
     pen.path(picture::svg_corners(std::vector<Spot>{{from, 118}, {from, y}, {to, y}, {to, 118}}), {{"class", "wire"}});
     pen.text({std::max(from, to) - 62, y - 6}, "inside", label);
@@ -124,7 +125,7 @@ Replay replay_sensor_to_alarm(const ReplayContext& context) {
                           AlarmCase{"sound", {{"trials", "2"}, {"problem", "\"boom\""}}},
                           AlarmCase{"leak, busy bus", busy}, AlarmCase{"leak, 5 generations", {}}};
     Comparison comparison{.name = fmt::format("a sample every 20 ms, 2 generations for each, {} seeds", context.seeds),
-                          .notes = "from, to: 95 % (Clopper and Pearson); delays: medians of the seeds\n",
+                          .notes = "from, to: 95 % interval (Clopper and Pearson); delays: medians over the seeds\n",
                           .against = "asked"};
     std::vector<std::vector<Figures>> runs;
     for (const AlarmCase& way : ways) {

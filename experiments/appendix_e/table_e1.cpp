@@ -21,7 +21,7 @@ const ProcessInstance& master_of(const Network& network) {
     throw UserError(fmt::format("{}: expected a process \"master\" of the kind ga.master", network.source_path));
 }
 
-/// Returns a text with the origin of each constant, and its value in the netlist.
+/// Returns a text with the origin of each constant and the constant's value in the netlist.
 std::string print_constants(const ReplayContext& context) {
     auto load = [&](const Overrides& overrides) {
         return load_network(context.examples / "thesis/table-e1" / "cluster.cfs", overrides,
@@ -45,7 +45,7 @@ std::string print_constants(const ReplayContext& context) {
         value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
 }
 
-/// A column of Table E.1. Functions throw UserError if the study's file lacks the cell.
+/// A column of Table E.1. The functions throw UserError if the study's file lacks the cell.
 struct TimingColumn {
     const StudyReplay& study;
     const Comparison& table;
@@ -63,8 +63,8 @@ struct TimingColumn {
     double simulated(const char* row) const { return cell(row).simulated; }
 };
 
-/// Adds the communication time that one slave more costs, and the communication time during which the master does not
-/// evaluate.
+/// Adds the communication time that one additional slave costs, and the communication time during which the master does
+/// not evaluate.
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
     // In the thesis, T_exe differs from T_sr + S_time2 by up to 0.3 ms, and each figure has a rounding error of up to
     // 0.05 ms.
@@ -83,8 +83,8 @@ void add_communication(Comparison& comparison, const TimingColumn& slaves, const
                                  rest([&](const char* row) { return slaves.simulated(row); }), 2));
 }
 
-/// Compares differences that depend on the communication alone. Communication is only 1 to 3 % of the times in Table
-/// E.1, so most of these times would be within their tolerances even without communication.
+/// Compares differences that depend only on the communication. Communication is only 1 to 3 % of the times in Table
+/// E.1, so even without communication most times in the table would be within their tolerances.
 Comparison communication_table(const StudyReplay& study, const Comparison& table_e1) {
     Comparison comparison{.name = "cells that judge the communication", .judged = true};
     const std::array columns{"0 slaves", "1 slave", "2 slaves", "3 slaves"};
@@ -95,7 +95,8 @@ Comparison communication_table(const StudyReplay& study, const Comparison& table
     return comparison;
 }
 
-/// Adds the table of the communication, and the constants of the netlist, to which the notes refer.
+/// Returns the study's replay, with the table of the communication and the constants of the netlist added. The notes
+/// refer to these constants.
 Replay replay_table_e1(const ReplayContext& context) {
     const StudyReplay study(context, "thesis/table-e1/table-e1.toml");
     Replay replay = study.replay();

@@ -48,8 +48,8 @@ std::string names_of(LinkSet links) {
     return names;
 }
 
-/// Draws one circuit. The flow runs from left to right. Each junction is one column to the left of the junction that
-/// its bypass leads to. If two bypasses lead to one junction, the second branch has its own row.
+/// Draws one circuit. The flow runs from left to right. The bypass of a junction leads to the junction one column to
+/// its right. If two bypasses lead to one junction, the second branch has a row of its own.
 class CircuitDrawing {
 public:
     CircuitDrawing(SvgPen& pen, const Circuit& circuit, At corner)
@@ -71,8 +71,8 @@ public:
 private:
     static std::size_t most(const std::vector<std::size_t>& numbers) { return *std::ranges::max_element(numbers); }
 
-    /// Places junction `j` one column to the left of `next`. Of the junctions that lead to `next`, the last shares the
-    /// row of `next`.
+    /// Places junction `j` one column to the left of `next`. If several junctions lead to `next`, only the last of
+    /// these is in the row of `next`.
     void put_before(std::size_t j, std::size_t next) {
         steps_[j] = steps_[next] + 1;
         bool shares = std::none_of(
@@ -111,7 +111,8 @@ private:
         pen_.text(pump + At{0, 4}, "small", pumps == 1 ? "Q" : fmt::format("{} Q", pumps));
     }
 
-    /// Draws the path of the flow that does not enter the cylinder: to the next junction, to the tank, or nowhere.
+    /// Draws the path of the flow that does not enter the cylinder. The path leads to the next junction or to the tank,
+    /// or there is no path.
     void draw_bypass(At from, const Junction& junction, const std::string& name) {
         At straight = from + At{column_width - 4, 0};
         if (junction.through == Through::junction && at(junction.next).y != from.y) {
@@ -147,7 +148,7 @@ private:
 struct CaptionedCircuit {
     std::string caption;
     Circuit circuit;
-    bool beside = false; ///< drawn to the right of the circuit before it
+    bool beside = false; ///< whether the circuit is drawn to the right of the previous circuit
 };
 
 std::string draw_circuits(const std::string& title, const std::vector<CaptionedCircuit>& circuits) {
@@ -175,8 +176,8 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     return circuits;
 }
 
-/// Returns the names of configurations, such as "b, d": those with a circuit in which `is` holds for the junction of
-/// this link.
+/// Returns the names, such as "b, d", of all configurations with a circuit in which `is` returns true for the junction
+/// of this link.
 template <class Is>
 std::string configurations_with(Link link, Is is) {
     std::string names;
@@ -232,8 +233,8 @@ std::vector<NamedDrawing> drawings() {
             {"figure-a-1", draw_circuits("The boom alone", {{"boom", boom_circuit()}})}};
 }
 
-/// What section 3.3 says about a configuration with all links active: the number of searches, and the number of links
-/// in the largest search.
+/// The thesis's statement (section 3.3) about a configuration with all links active: the number of searches, and the
+/// number of links in the largest search.
 struct Said {
     Configuration configuration;
     std::optional<double> searches, links;
@@ -253,7 +254,8 @@ Comparison searches_of_configurations() {
     return comparison;
 }
 
-/// Counts the unknown states of branch #1: a flow into each cylinder, a flow past it, and a pressure at each junction.
+/// Counts the unknown states of branch #1: for each link, the flow into the cylinder, the flow past the cylinder, and
+/// the pressure at the junction.
 Comparison states_of_branch_1() {
     Comparison comparison{.name = "unknown internal states of branch #1 (appendix B)", .judged = true};
     std::size_t states = 3 * circuit_of(Configuration::a, {Link::bucket, Link::boom}).size();
@@ -272,7 +274,7 @@ Replay replay_circuits(const ReplayContext&) {
 
 extern const Experiment circuits_experiment{
     .name = "circuits",
-    .about = "the circuits of the main valve that share flow, drawn: Figures 2.11, 2.12, A.1, A.2, B.1",
+    .about = "drawings of the main valve's circuits that share flow: Figures 2.11, 2.12, A.1, A.2, B.1",
     .chapter = "2",
     .number = 4,
     .run = replay_circuits,

@@ -25,7 +25,7 @@ using namespace identification;
 
 namespace {
 
-/// A fault of the measured machine. A leak begins when the reference begins to rise; an offset or drift of the voltage
+/// A fault of the measured machine. A leak begins when the reference begins to rise. An offset or drift of the voltage
 /// begins at time 0.
 struct LoopFault {
     const char* name;
@@ -37,7 +37,7 @@ constexpr std::array loop_drifts{LoopFault{"-40 mV", 0, -0.040, 0}, LoopFault{"-
                                  LoopFault{"+20 mV", 0, 0.020, 0}, LoopFault{"+40 mV", 0, 0.040, 0},
                                  LoopFault{"10 mV/s", 0, 0, 0.010}};
 
-constexpr double end_s = 4, judged_for_s = 1; // length of the motion; the position error is the mean over the last
+constexpr double end_s = 4, judged_for_s = 1; // length of the motion; the position error is averaged over the last
                                               // second
 
 struct LoopFigure {
@@ -136,7 +136,7 @@ std::string loop_column(const LoopRuns& runs, bool closed) {
     return fmt::format("{}, {}", runs.name, closed ? "closed" : "open");
 }
 
-/// Adds how much the position error and the compliance grow by a leak, as medians over the seeds.
+/// Adds the increases of the position error and of the compliance that a leak causes, as medians over the seeds.
 void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& leak, bool closed) {
     const std::string name = loop_column(leak, closed);
     const std::vector<Figures>&runs = runs_of(leak, closed), &healthy = runs_of(sound, closed);
@@ -144,17 +144,18 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
         plain_cell("leak as a share of the inflow", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
     add_median(comparison, "lag behind the reference grows by", name, "deg",
                changes(runs, healthy, LoopFigure::steady_deg), 3);
-    // Section 2.8: the compliance grows at least by the leak's flow divided by the slope of the pressure.
+    // By section 2.8, the compliance grows at least by the leak's flow divided by the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
                percent_of(changes(runs, healthy, LoopFigure::by_spool), sound_in3_per_psi), 1, 5);
 }
 
-/// Compares how much a leak increases the lag and the compliance, in the open loop and in the closed loop.
+/// Compares the increases of the lag and of the compliance that a leak causes, in the open loop and in the closed loop.
 Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks, std::size_t seeds) {
     Comparison comparison{
         .name = fmt::format("a leak: the lag that an operator sees, and the compliance identified; {} seeds", seeds),
-        .notes = "the reference moves at 4 deg/s; lag: mean of the last second; from, to: 95 % interval of the median\n"
-                 "judged: the compliance grows by 5 % or more (a bound chosen here)\n",
+        .notes =
+            "the reference moves at 4 deg/s; lag: mean over the last second; from, to: 95 % interval of the median\n"
+            "judged: the compliance grows by 5 % or more (a bound chosen here)\n",
         .against = "own"};
     for (const LoopRuns& leak : leaks)
         for (bool closed : {false, true})
@@ -162,8 +163,8 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
     return comparison;
 }
 
-/// Judges the claim that the closed loop masks the leak. The measure is the closed loop's additional lag as a share of
-/// the open loop's additional lag.
+/// Judges the claim that the closed loop masks the leak, by the closed loop's additional lag as a share of the open
+/// loop's additional lag.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
                           .notes = "judged: a quarter or less (a bound chosen here)\n",

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::array pressures_psia{100.0, 500.0, 1000.0, 2000.0};
 
-/// Moduli that were computed independently of this program, in 1e3 psi, to the digits given.
+/// Moduli in 1e3 psi, computed independently of this program and rounded to the digits given.
 struct ModulusRow {
     double air_fraction, exponent;
     std::array<double, 4> modulus_kpsi;
@@ -29,10 +29,11 @@ constexpr ModulusRow known_moduli[]{
     {.air_fraction = .10, .exponent = 1.4, .modulus_kpsi = {5.0, 58.2, 119.1, 175.0}},
 };
 
-/// Absolute pressures below which the mixture is softer than oil by a given factor, also computed independently.
+/// The absolute pressures at which the mixture's compliance is a given multiple of oil's compliance, also computed
+/// independently.
 struct ComplianceRow {
     const char* name;
-    double share; ///< modulus of the mixture relative to the oil's
+    double share; ///< modulus of the mixture divided by the modulus of oil
     std::array<double, 4> psia;
 };
 

@@ -15,9 +15,10 @@ namespace {
 
 using Maybe = std::optional<double>;
 
-/// The multiples of C: Figure 2.8, half way to Figure 2.9, Figure 2.9, the limit of stability, and beyond it.
+/// The multiples of C: for Figure 2.8, between the figures, for Figure 2.9, at the limit of stability, and beyond this
+/// limit.
 constexpr std::array factors{1.0, 2.0, 4.0, 6.0, 7.0};
-using KnownFigures = std::array<Maybe, factors.size()>; // at these multiples
+using KnownFigures = std::array<Maybe, factors.size()>; // one for each multiple
 
 // The step resolves the peak and the settling time; the duration lets the stable loops settle.
 constexpr double step_s = 0.001, duration_s = 20;
@@ -33,7 +34,7 @@ Maybe of_pair(const PdLoop& loop, double Oscillation::*figure) {
     return pair ? Maybe((*pair).*figure) : std::nullopt;
 }
 
-/// Returns nullopt if the response does not settle; at the limit of stability it does not.
+/// Returns a figure of the step response, or nullopt if the response does not settle, as at the limit of stability.
 Maybe of_step(const PdLoop& loop, double StepFigures::*figure) {
     if (stability_margin(loop) < 1.0001)
         return std::nullopt;
@@ -50,8 +51,8 @@ Maybe pair_real_of(const PdLoop& loop) { return poles(loop)[2].real(); }
 Maybe pair_imaginary_of(const PdLoop& loop) { return poles(loop)[2].imag(); }
 Maybe margin_of(const PdLoop& loop) { return stability_margin(loop); }
 
-/// A figure of the loop, computed for each multiple of C. The known values were computed independently of this program,
-/// to the digits given.
+/// A figure of the loop, computed for each multiple of C. The known values were computed independently of this program
+/// and are rounded to the digits given.
 struct Row {
     const char* name;
     const char* unit = "";

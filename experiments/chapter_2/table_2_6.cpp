@@ -54,8 +54,8 @@ double more_flow_percent(const SteadyFlowPoint& point, double spool_error_in, co
     return 100 * (flow_in3_per_s(point, spool_error_in, constants) / flow_in3_per_s(point, 0, constants) - 1);
 }
 
-/// Returns the flow that the thesis's table gives at a pressure, by a parabola through the three entries of this
-/// pressure.
+/// Returns the flow at this spool position and pressure, by a parabola through the three entries that the thesis's
+/// table has for the pressure.
 double tabled_in3_per_s(double spool_in, double inlet_psi) {
     std::vector<SteadyFlowPoint> column;
     std::ranges::copy_if(table_2_6(), std::back_inserter(column),
@@ -100,7 +100,8 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
     add_rows(comparison, {"dQ_i/dP_i", "in^3/s/psi", 4, sensitivity(&FlowSensitivity::to_pressure_in3_per_s_psi)});
 }
 
-/// Judges "an error of 0.02 inch causes a 50% difference in flow" over the whole table, where it is expected to fail.
+/// Judges the claim "an error of 0.02 inch causes a 50% difference in flow" for the whole table. The claim is expected
+/// to fail.
 Comparison half_the_flow(const FlowConstants& constants) {
     Comparison comparison{.name = "the claim", .against = "claim", .judged = true};
     auto right = std::ranges::count_if(table_2_6(), [=](const SteadyFlowPoint& point) {
@@ -111,7 +112,7 @@ Comparison half_the_flow(const FlowConstants& constants) {
     return comparison;
 }
 
-/// A figure of a fit, and its value computed independently of this program, to the digits given.
+/// A figure of a fit, and its value computed independently of this program, rounded to the digits given.
 struct FitFigure {
     const char* name;
     const char* unit = "";
@@ -166,7 +167,7 @@ constexpr FitFigure fit_figures[]{
      .tolerance = 0.01},
 };
 
-/// Residuals that were computed independently of this program, in 1e-4 in.
+/// Residuals in 1e-4 in, computed independently of this program.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
@@ -215,7 +216,7 @@ Series tabled_flow(int psi, int colour) {
     return points;
 }
 
-/// Plots flow over spool at the three pressures, with the table's entries.
+/// Plots the flow over the spool at the three pressures, with the table's entries.
 Panel flow_panel() {
     Panel panel{.title = "Flow into the boom's cylinders in the steady state",
                 .x = {"spool [in]", boom_dead_band_in, 0.3},

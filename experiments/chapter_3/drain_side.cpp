@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-/// A compliance of the drain side of the measured machine, and a leak into this side; 0: no leak.
+/// A compliance of the measured machine's drain side, and a leak into this side (0: no leak).
 struct DrainCase {
     const char* name;
     double outlet_in3_per_psi, leak_in3_per_s_psi;

@@ -54,7 +54,7 @@ BoomMotion motion_of(const Source& source, double compliance_in3_per_psi) {
     return motion;
 }
 
-/// Returns the results of the searches, each with its own random numbers.
+/// Returns the compliances that the searches find. Each search has its own random numbers.
 std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomModel& model, const Seeds& seeds) {
     std::vector<double> found;
     for (std::size_t i = 0; i < motions.size(); ++i)
@@ -62,7 +62,7 @@ std::vector<double> found_in(const std::vector<BoomData>& motions, const BoomMod
     return found;
 }
 
-/// Returns, for each window of the search, the least rms error of all codes.
+/// Returns, for each window of the search, the least rms error that any code has.
 std::vector<double> least_errors(const BoomData& data, std::span<const CircuitSample> samples,
                                  const IdentificationWay& way) {
     std::vector<double> errors;
@@ -107,7 +107,7 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
     add("  of the last generation", generations.back().best_error_in3_per_s);
 }
 
-/// Tests the thesis's "decreasing monotonically" without noise, for the best of all codes in every window.
+/// Tests the thesis's claim "decreasing monotonically" without noise, for the best code in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
     auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
     comparison.add(plain_cell("noise-free Error, best code, window 1", way.name, "in^3/s", least.front(), 2));
@@ -115,8 +115,8 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));
 }
 
-/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many. One in
-/// a thousand of 3,000 records exceeded the limit for one record.
+/// The largest allowed relative error of an experiment's compliance, for one record and for the median of many records.
+/// Of 3,000 records, one in a thousand exceeded the limit for one record.
 struct Allowed {
     double record, median;
 };
@@ -163,8 +163,8 @@ Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds
     return comparison;
 }
 
-/// The error of experiment 2 with an a_0 other than the machine's 8. The known errors are those of an independent
-/// prototype.
+/// The error of experiment 2 with an a_0 that differs from the machine's a_0 of 8. The known errors come from an
+/// independent prototype.
 struct WrongLag {
     double lag_per_s, known_percent;
 };
@@ -193,9 +193,9 @@ Comparison lag_comparison(const std::vector<BoomData>& motions, const Seeds& see
     return comparison;
 }
 
-/// Returns, for each record of the measured machine, the quotient of the compliances identified from the voltage and
-/// from the spool. As in 3.1.3, the spool and A.1 have an offset, which is calibrated from each record. An offset of
-/// `left_in` stays in the spool's readings.
+/// Returns, for each record of the measured machine, the compliance identified from the voltage divided by the
+/// compliance identified from the spool. As in section 3.1.3, the spool and equation A.1 have an offset, which is
+/// calibrated from each record. An offset of `left_in` remains in the spool's readings.
 std::vector<double> voltage_over_spool(const MeasurementNoise& noise, double left_in, const Seeds& seeds) {
     BoomMotion motion{BoomPlant::measured, noise, stated_offset_in};
     motion.duration_s = 4; // includes a second of steady motion
@@ -212,8 +212,8 @@ std::vector<double> voltage_over_spool(const MeasurementNoise& noise, double lef
     return quotients;
 }
 
-/// Judges the thesis's quotient .0086 / .005, which is 1.56 to 1.91 given the rounding of both values. The thesis has a
-/// single record for each experiment, so the range of the quotients of single records is judged.
+/// Judges the thesis's quotient .0086 / .005. Since both values are rounded, the quotient may be from 1.56 to 1.91. The
+/// thesis has a single record for each experiment, so the range of the quotients of single records is judged.
 Comparison quotient_comparison(std::uint64_t seed) {
     Comparison comparison{.name =
                               "measured machine, .01 in of offset calibrated, 60 records: C by voltage over C by spool",

@@ -15,7 +15,7 @@ using namespace identification;
 
 namespace {
 
-/// One of the thesis's two experiments, without an elite as in the thesis, or with an elite.
+/// One of the thesis's two experiments, either without an elite, as in the thesis, or with an elite.
 struct FallingSearch {
     const char* name;
     AreasFrom from;
@@ -41,8 +41,8 @@ Figures course_of(const BoomData& data, const FallingSearch& search, std::uint64
             generations.back().best_error_in3_per_s / generations.front().best_error_in3_per_s};
 }
 
-/// Tests "the Error was decreasing monotonically": the Error rises in at most 1 % of the generations. This is expected
-/// to hold only without noise and with an elite.
+/// Tests the claim "the Error was decreasing monotonically", taken to mean "the Error rises in at most 1 % of the
+/// generations". The claim is expected to hold only without noise and with an elite.
 Comparison falling_claims(const ReplayContext& context, const char* name, const BoomMotion& motion) {
     std::vector<Claim> claims, ends;
     const bool clean = motion.noise.pressure_psi == 0;

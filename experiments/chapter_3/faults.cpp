@@ -19,17 +19,17 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t records_a_fault = 20;
-// The limit is ours: a single record with a larger error looks suspicious.
+// This limit was chosen here: a single record with a larger error looks suspicious.
 constexpr double off_by = 0.12;
 
 const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true},
     two_links{"links", "mid", false};
 
-/// A fault and the expected compliance, relative to the sound machine's.
+/// A fault, and the expected compliance relative to the compliance identified on the sound machine.
 struct Case {
     PlantFault fault;
     double known_ratio, tolerance;
-    bool in_servo; ///< whether only a machine with a servo-valve can have it
+    bool in_servo; ///< whether only a machine with a servo-valve can have this fault
 };
 
 std::vector<Case> cases() {
@@ -38,7 +38,7 @@ std::vector<Case> cases() {
         {doubled_compliance(), 2, 0.15, false},
         {leak_of("leak of 5 %", 0.0014), 1.13, 0.05, false},
         {leak_of("leak of 10 %", 0.0028), 1.27, 0.05, false},
-        // In the working range, 21 mV move the spool by 0.01 in, which changes the flow by 20 %.
+        // In the working range, a drift of 21 mV moves the spool by 0.01 in, which changes the flow by 20 %.
         {drift_of(0.021), 1, 0.05, true},
     };
 }
@@ -64,7 +64,7 @@ void add_case(Comparison& comparison, const Case& each, const RecordSource& sour
     std::string column = each.fault.name,
                 of = by_spool ? "  relative to the sound machine" : "  by the voltage, relative to the sound machine";
     comparison.add(plain_cell(by_spool ? "C by the spool" : "C by the voltage", column, "in^3/psi", middle, 5));
-    // There is no published figure for the effect of a drift on C by the voltage.
+    // No figure has been published for the effect of a drift on the compliance identified from the voltage.
     comparison.add(by_spool || !each.in_servo ? judged_cell(of, column, "", each.known_ratio, ratio, each.tolerance, 2)
                                               : plain_cell(of, column, "", ratio, 2));
     comparison.add(
@@ -90,8 +90,8 @@ Comparison fault_comparison(const char* where, const RecordSource& source, const
     return comparison;
 }
 
-/// Compares with known values how much the compliance grows by a leak. The compliance comes from least squares while
-/// the pressure rises.
+/// Compares the growth of the compliance due to a leak with known values. The compliance is computed by least squares
+/// from samples in which the pressure rises.
 Comparison leak_comparison() {
     Comparison comparison{
         .name = "scenario A without noise: growth of C by least squares while the pressure rises, if the model knows "

@@ -25,7 +25,7 @@ namespace {
 constexpr double thesis_in3_per_psi = 0.0086, found_by_spool_in3_per_psi = 0.005;
 constexpr double drawn_s = 1.4;
 
-/// Returns a motion in which the boom is raised at this speed; scenario A's is 4 deg/s.
+/// Returns a motion in which the boom is raised at this speed. In scenario A the speed is 4 deg/s.
 BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& noise,
                      double compliance_in3_per_psi = thesis_in3_per_psi) {
     constexpr double steady_psi = 1850; // as in scenario A
@@ -40,7 +40,7 @@ BoomMotion motion_at(double deg_per_s, BoomPlant plant, const MeasurementNoise& 
 
 MeasurementNoise noise_of(BoomPlant plant) { return plant == BoomPlant::simple ? low_noise : mid_noise; }
 
-/// A compliance, and the figures of scenario A that an independent prototype gives with it.
+/// A compliance, and the figures that an independent prototype computes for scenario A with this compliance.
 struct KnownCheck {
     double factor; ///< compliance relative to the true compliance
     double rms_psi, tolerance_psi;
@@ -78,11 +78,12 @@ struct Curve {
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
-// Our value for the thesis's "significant difference".
+// The thesis's "significant difference" has no figure; this value was chosen here.
 constexpr double significant_psi = 80;
 
-/// Another motion, and the rms difference up to which its simulation counts as "excellent". This limit is the mean over
-/// 400 records simulated with the identified compliance, plus four standard deviations (docs/reference/hydraulics.md).
+/// Another motion, and the greatest rms difference with which its simulation still counts as "excellent". This limit is
+/// the mean rms difference of 400 records simulated with the identified compliance, plus four standard deviations
+/// (docs/reference/hydraulics.md).
 struct OtherMotion {
     double deg_per_s, simple_psi, measured_psi;
 
@@ -90,7 +91,7 @@ struct OtherMotion {
 };
 constexpr std::array other_motions{OtherMotion{3, 9, 18}, OtherMotion{5, 13, 25}};
 
-/// Adds one motion, simulated with the compliance identified from another motion.
+/// Adds the comparison of one motion with its simulation. The compliance was identified from another motion.
 void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
                 double excellent_psi) {
     auto row = [&](const char* what) { return fmt::format("{} deg/s: {}", deg_per_s, what); };
@@ -113,8 +114,8 @@ struct OtherRecords {
     std::vector<BoomData> motions; ///< in the order of other_motions
 };
 
-/// Measures the other motions with the last seeds. The first seeds give the identified compliance, as a median, since a
-/// single search may be off by a tenth.
+/// Measures the other motions with the last seeds. The first seeds are used to identify the compliance, as a median of
+/// many searches, since a single search may be off by a tenth.
 OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
     const std::span all(seeds);
     const auto searched = all.first(all.size() - other_motions.size()), others = all.last(other_motions.size());
@@ -146,8 +147,9 @@ Comparison other_comparison(const OtherRecords& other) {
     return comparison;
 }
 
-/// Simulates with the spool computed from the voltage. As in the thesis, the compliance was identified from the
-/// voltage, too. This cannot reveal a wrong a_0, since identification and simulation use the same a_0.
+/// Compares with a simulation whose spool is computed from the voltage. As in the thesis, the compliance was also
+/// identified from the voltage. This check cannot reveal a wrong a_0, since identification and simulation use the same
+/// a_0.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);
@@ -182,8 +184,8 @@ Series measured_series(const PressureCheck& check) {
     return series;
 }
 
-/// Plots the measured and the simulated pressure; with `all`, also the pressures simulated with half and twice the
-/// compliance.
+/// Plots the measured and the simulated pressure. With `all`, also plots the pressures simulated with half and twice
+/// the compliance.
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
     Panel panel;
     panel.title = std::move(title);

@@ -39,7 +39,7 @@ Comparison steady_comparison(const TwoLinkMotion& motion) {
     return comparison;
 }
 
-/// A way of searching at one noise level, and its known result.
+/// A way of searching at one noise level, and its known success rate.
 struct TwoLinkCase {
     const char* name;
     IdentificationWay way;
@@ -92,7 +92,7 @@ Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
 using StateErrors = std::array<double, InternalStates::count>;
 
 /// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Earlier answers have
-/// not converged: the first answer comes from five generations on five samples.
+/// not converged: the first answer is found after five generations on five samples.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
     ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
     SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
@@ -111,7 +111,7 @@ StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& w
     return worst;
 }
 
-/// Tests the thesis's "states within 10 %".
+/// Tests the thesis's claim "states within 10 %".
 Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     constexpr std::array<const char*, InternalStates::count> names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
     Comparison comparison{.name = "internal states from the best individual (Figure 3.10): greatest error from the "

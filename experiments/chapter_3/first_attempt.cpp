@@ -32,11 +32,11 @@ std::vector<BoomData> motions_with(double offset_in, const MeasurementNoise& noi
     return measure(motion, seeds);
 }
 
-/// An offset, and the results of an independent prototype with this offset, for the rising part of scenario A at low
-/// noise.
+/// An offset, and the results of an independent prototype with this offset for the part of scenario A in which the
+/// pressure rises, at low noise.
 struct KnownOffset {
     double offset_in;
-    std::optional<double> fit_percent, fit_tolerance; ///< if there is no tolerance, only the sign is judged
+    std::optional<double> fit_percent, fit_tolerance; ///< without a tolerance, only the sign is judged
     std::optional<double> search_in3_per_psi;
 };
 constexpr KnownOffset known_offsets[]{
@@ -75,8 +75,8 @@ SpoolOffset calibrate(const BoomData& motion, const FlowConstants& flow) {
     return *found;
 }
 
-/// Adds the compliance by least squares from the spool, while the pressure rises. In the fast scenario A, an offset of
-/// -.01 in does not make the compliance negative; -.02 in does.
+/// Adds the compliance computed by least squares from the spool while the pressure rises. In the fast scenario A, an
+/// offset of -.02 in makes the compliance negative; an offset of -.01 in does not.
 void add_fit(Comparison& comparison, const KnownOffset& known, double fit, double truth) {
     std::string column = inches(known.offset_in);
     comparison.add(plain_cell("C by least squares", column, "in^3/psi", fit, 5));
@@ -121,7 +121,7 @@ Comparison attempt_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// Compares the error of the steady flow that is computed from the spool's readings.
+/// Compares the error of the steady flow with a known error. The flow is computed from the spool's readings.
 Comparison flow_comparison() {
     Comparison comparison{.name = "scenario A: steady flow computed from a spool reading with an offset",
                           .against = "thesis",
@@ -147,7 +147,8 @@ constexpr std::array<KnownScatter, 3> known_scatters{
     {{"low noise", low_noise, 0.00004}, {"mid noise", mid_noise, 0.00008}, {"high noise", high_noise, 0.00015}}};
 
 void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds& seeds) {
-    constexpr double true_in = 0.01, bias_in = 0.00001; // ours: a tenth of the stated accuracy of the calibration
+    constexpr double true_in = 0.01, bias_in = 0.00001; // `bias_in` was chosen here: a tenth of the calibration's
+                                                        // stated accuracy
     std::vector<double> found, stated;
     for (const BoomData& motion : motions_with(true_in, known.noise, seeds)) {
         SpoolOffset offset = calibrate(motion, motion.flow);
@@ -164,7 +165,7 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     comparison.add(plain_cell("  deviation stated in the calibration", known.name, "in", mean(stated), 5));
 }
 
-/// Adds the calibration of the same record with a k or Q that is 1 % wrong.
+/// Adds the change of the calibrated offset of a record if k or Q is 1 % wrong.
 void add_model_errors(Comparison& comparison) {
     BoomData motion = motions_with(0.01, no_noise, {1}).front();
     double right = calibrate(motion, motion.flow).offset_in;
@@ -188,7 +189,7 @@ Comparison calibration_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-/// Adds the compliances identified after subtracting the calibrated offset.
+/// Adds the compliances that are identified after the calibrated offset has been subtracted.
 void add_cured(Comparison& comparison, const std::string& column, const std::vector<BoomData>& motions,
                double calibrated_in, const Seeds& seeds, bool simple) {
     double truth = motions.front().boom.inlet_compliance_in3_per_psi;
@@ -200,7 +201,7 @@ void add_cured(Comparison& comparison, const std::string& column, const std::vec
     };
     add("C after correction, from the spool", spool, 0.05);
     comparison.add(judged_cell("  flagged", column, "%", 0, spool.flagged_percent, 0, 0));
-    // The measured machine's valve has a dead time, which A.2 lacks.
+    // The measured machine's valve has a dead time, which equation A.2 does not model.
     add("C after correction, from the voltage", volts, simple ? 0.05 : 0.12);
 }
 
@@ -228,8 +229,8 @@ Comparison cure_comparison(BoomPlant plant, const Seeds& seeds) {
     return comparison;
 }
 
-/// Adds the compliance with an offset in the slower motion. At -.01 in the compliance is just positive; at -.015 in it
-/// is negative.
+/// Adds the compliance identified from the slower motion with an offset. With an offset of -.01 in the compliance is
+/// just positive; with -.015 in it is negative.
 void add_slow(Comparison& comparison, double offset_in) {
     BoomMotion motion{BoomPlant::simple, no_noise, offset_in};
     motion.slow = true;
@@ -245,8 +246,8 @@ void add_slow(Comparison& comparison, double offset_in) {
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-/// Compares the effect of an offset d in scenario B. The effect is about 1050 d / (dP/dt), so it is greater if the
-/// pressure rises more slowly.
+/// Compares the effect of an offset d in scenario B with known values. The effect is about 1050 d / (dP/dt), so it is
+/// greater if the pressure rises more slowly.
 Comparison slow_comparison() {
     Comparison comparison{.name = "scenario B, a slower motion, no noise: least squares while the pressure rises",
                           .against = "known",

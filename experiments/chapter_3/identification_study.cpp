@@ -18,7 +18,7 @@ using namespace identification;
 
 namespace {
 
-/// A figure of an independent prototype, and the upper limit for our figure.
+/// A figure of an independent prototype, and the upper limit for the figure of this program.
 struct Bound {
     double known;
     std::optional<double> most;
@@ -85,7 +85,7 @@ void add_level(Comparison& comparison, const NoiseLevel& level, const Seeds& see
     comparison.add(plain_cell("  its 90th percentile", level.name, "%", rising.ninetieth_percent(), 2));
 }
 
-/// A way to identify, and the known percentage of seeds within 10 %.
+/// A way to identify, and the known percentage of seeds with an error of at most 10 %.
 struct Variant {
     std::string name;
     IdentificationWay way;

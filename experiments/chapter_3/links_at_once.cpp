@@ -24,7 +24,7 @@ using namespace identification;
 
 namespace {
 
-/// The largest group of coupled links of a configuration, all in motion.
+/// The largest group of coupled links in a configuration; all links of the group move.
 struct CoupledMotion {
     Configuration configuration;
     LinkSet links;

@@ -20,10 +20,11 @@ namespace {
 using Runs = std::vector<SearchRun>;
 
 constexpr std::size_t trials_a_sample = 5;
-constexpr std::size_t records_shown = 50; // number of records for the ways that are not judged
-constexpr std::size_t lost_for = 20;      // number of samples: 100 of the 600 generations of a search
+constexpr std::size_t records_shown = 50; // number of records for the ways of searching that are not judged
+constexpr std::size_t lost_for = 20;      // number of samples; this corresponds to 100 of the 600 generations of a
+                                          // search
 
-/// Extends a way to 600 generations, well past the 425 of Figure 3.11.
+/// Extends a search to 600 generations, well past generation 425, at which the estimates of Figure 3.11 deviate.
 IdentificationWay prolonged(IdentificationWay way) {
     way.usable.count = 120;
     return way;
@@ -36,8 +37,8 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// A generation to compare, and an earlier result of this project without a gate: the percentage of records in which
-/// both compliances are right in this generation.
+/// A generation, and an earlier result of this project without a gate: the percentage of records in which both
+/// compliances are within 10 % in this generation.
 struct Known {
     std::size_t generation;
     double percent;
@@ -52,8 +53,8 @@ void add_shares(Comparison& comparison, const char* row, const Runs& runs) {
                                   both_within_ten_percent(runs, each.generation, trials_a_sample), 0));
 }
 
-/// Compares the share of records in which both compliances are still right. In the thesis the compliances become wrong
-/// after generation 425.
+/// Compares the simulation with known figures: the shares of records in which both compliances are still within 10 %.
+/// In the thesis the compliances become wrong after generation 425.
 Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, const Seeds& shown) {
     Comparison comparison{
         .name = fmt::format(
@@ -71,7 +72,7 @@ Comparison share_comparison(const TwoLinkMotion& motion, const Runs& plain, cons
     return comparison;
 }
 
-/// Compares the ways of searching at low noise. With noise, an elite does not keep the right answer.
+/// Compares the ways of searching at low noise. With noise, an elite does not prevent the loss of the right answer.
 Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown) {
     Comparison comparison{.name = "two links at low noise (2 psi, .003 deg, .1 % of an area): both within 10 %, while "
                                   "the motion grows steady",
@@ -86,9 +87,9 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
     return comparison;
 }
 
-/// Returns the generation in which a search loses the answer: from it on, one of the two compliances is off by more
-/// than `percent` for `lost_for` samples in a row, after both were right. Returns the generation after the last if the
-/// search keeps the answer; nullopt if both compliances are never right.
+/// Returns the generation in which a search loses the answer: after both compliances were right, one of them is off by
+/// more than `percent` from this generation on, for `lost_for` samples in a row. If the search keeps the answer, the
+/// function returns the generation after the last. It returns nullopt if the two compliances are never right together.
 std::optional<double> lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     bool found = false;
@@ -102,16 +103,16 @@ std::optional<double> lost_from(const SearchRun& run, double percent) {
     return found ? std::optional(static_cast<double>(trials_a_sample * (run.estimates.size() + 1))) : std::nullopt;
 }
 
-/// A way to search, and bounds of the percentage of its searches that lose the answer before generation 425. In the
-/// thesis's single run the answer is lost at 425. If the thesis searched in this way, this percentage is between 2.5
-/// and 97.5 with a probability of 95 %.
+/// A way of searching, and bounds for the percentage of its searches that lose the answer before generation 425. The
+/// thesis's single run loses the answer at generation 425. If the thesis searched in this way, this percentage is
+/// between 2.5 and 97.5 with a probability of 95 %.
 struct LosingWay {
     const char* name;
     std::optional<double> at_least, at_most;
     Runs runs;
 };
 
-/// Adds the generations in which the searches of a way lose the answer.
+/// Adds the quantiles of the generation in which the searches lose the answer, for one way of searching.
 void add_lost(Comparison& comparison, const LosingWay& way, double percent) {
     constexpr double thesis_generation = 425;
     std::string row = fmt::format("{}, off by {} %", way.name, percent);
@@ -145,7 +146,7 @@ Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain,
         {"as the thesis, low noise", 97.5, {}, search_many(motion, low_noise, long_way(), seeds)},
         {"elite and Gray code, low noise", 97.5, {}, search_many(motion, low_noise, prolonged(gray_way()), seeds)}};
     for (const LosingWay& way : ways)
-        add_lost(comparison, way, 20); // the least error that an eye sees in the thesis's figure
+        add_lost(comparison, way, 20); // the least error that is visible in the thesis's figure
     add_lost(comparison, {"as the thesis", {}, {}, plain}, 10);
     return comparison;
 }

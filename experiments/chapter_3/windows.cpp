@@ -34,8 +34,8 @@ constexpr WindowPlant plants[]{{"simple plant, low noise", BoomPlant::simple, lo
                                {"measured machine, mid noise", BoomPlant::measured, mid_noise},
                                {"measured machine, high noise", BoomPlant::measured, high_noise}};
 
-/// Returns the thesis's search with another window. The search gets the thesis's 20 samples, or more if the window is
-/// longer.
+/// Returns the settings of the thesis's search with another window. The search uses 20 samples, as in the thesis, or
+/// more if the window is longer.
 IdentificationWay way_of(std::size_t length) {
     IdentificationWay way = thesis_way();
     way.search.window.length = length;
@@ -72,7 +72,7 @@ Comparison errors_table(const WindowPlant& plant, const std::vector<Figures>& ru
     return comparison;
 }
 
-/// Returns, for each seed, the error with this window less the error with the thesis's window.
+/// Returns, for each seed, the error with this window minus the error with the thesis's window.
 std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window) {
     std::vector<double> differences;
     for (const Figures& errors : runs)
@@ -80,8 +80,8 @@ std::vector<double> excess(const std::vector<Figures>& runs, std::size_t window)
     return differences;
 }
 
-/// Tests "From trial and error in the experiments, 10 was found to be the best window size" (3.4): no other window has
-/// a smaller error in the same record. Longer windows are expected to have a smaller error.
+/// Tests the claim "From trial and error in the experiments, 10 was found to be the best window size" (3.4), taken to
+/// mean "no other window has a smaller error in the same record". The claim is expected to fail for longer windows.
 Comparison best_window_claims(const WindowPlant& plant, const std::vector<Figures>& runs) {
     std::vector<Claim> claims;
     for (std::size_t i = 0; i < std::size(lengths); ++i)
@@ -122,7 +122,7 @@ Replay replay_windows(const ReplayContext& context) {
 
 extern const Experiment windows_experiment{
     .name = "windows",
-    .about = "is a window of 10 samples the best (3.4)? Windows of 3 to 60 on the simulated machines",
+    .about = "errors with windows of 3 to 60 samples on the simulated machines: is 10 the best (3.4)?",
     .chapter = "3",
     .number = 11,
     .run = replay_windows,

@@ -15,13 +15,14 @@ namespace placedpar {
 namespace {
 
 constexpr std::array machine_alphas{8, 16, 24};
-/// The number of islands of the largest hypercube, which the hybrid should overtake, and the number of islands of the
-/// hybrid.
+/// The number of islands of the largest hypercube, and the number of islands of the hybrid, which should become faster
+/// than this hypercube.
 constexpr int most_islands = 16, hybrid_islands = 4;
 
 std::string alpha_column(int alpha) { return fmt::format("alpha = {}", alpha); }
 
-/// Returns the speedups of one architecture over the number of processors. Throws UserError if the table has none.
+/// Returns the speedups of one architecture over the number of processors. Throws UserError if the table has no speedup
+/// of this architecture.
 std::vector<Point> speedups_of(const std::string& architecture, int alpha, const StudyReplay& study,
                                const Comparison& table) {
     std::vector<Point> points;
@@ -35,7 +36,7 @@ std::vector<Point> speedups_of(const std::string& architecture, int alpha, const
 }
 
 /// Returns the least number of processors, above `most_islands`, with which the hybrid is faster than the largest
-/// hypercube; 0 if there is none.
+/// hypercube, or 0 if the hybrid is never faster.
 double crossover(double hypercube, const std::vector<Point>& hybrid) {
     auto faster = [&](const Point& point) { return point.x > most_islands && point.y > hypercube; };
     auto found = std::ranges::find_if(hybrid, faster);
@@ -47,16 +48,16 @@ double crossover_in(const StudyReplay& study, const Comparison& table, int alpha
                      speedups_of("hybrid", alpha, study, table));
 }
 
-/// Returns what crossover() returns for the speedups of equation 4.9.
+/// Returns the number of processors as crossover() does, for the speedups of equation 4.9.
 double crossover_by_formula(int alpha) {
     std::vector<Point> hybrid;
-    for (int processors = 1; processors <= 1000; ++processors) // per island
+    for (int processors = 1; processors <= 1000; ++processors) // processors of each island
         hybrid.push_back({1.0 * hybrid_islands * processors, hybrid_islands * formula_4_9(alpha, processors)});
     return crossover(most_islands, hybrid);
 }
 
-/// Compares the crossovers of simulation and equation 4.9. Without communication, they may differ by one step in the
-/// hybrid's size.
+/// Compares the crossovers of the simulation with those of equation 4.9. Without communication, both may differ by one
+/// step in the hybrid's size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};

@@ -21,17 +21,17 @@ namespace {
 
 constexpr std::array speedup_alphas{8, 16, 24};
 constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
-/// The factor by which computing takes longer, so that communication is negligible.
+/// The factor by which computations are made longer, so that communication is negligible.
 constexpr int speedup_work_alone = 1000;
 
-/// Returns m / s, where s is a slave's share of t_p (equation 4.5) and m the master's share, if all need the same time.
-/// The master breeds as well, so s = m + 1 / alpha. With n slaves, n s + m = 1. It follows that m / s = (alpha - n) /
-/// (alpha + 1).
+/// Returns m / s, where s is a slave's share of t_p (equation 4.5) and m is the master's share, such that all
+/// processors work equally long. The master also breeds, so s = m + 1 / alpha. With n slaves, n s + m = 1. It follows
+/// that m / s = (alpha - n) / (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
 constexpr std::size_t whole_evaluations = 30 * 10; ///< evaluations of a population of 30 in a window of 10
 
-/// Returns each processor's fraction of the evaluations of a generation, the master's last.
+/// Returns the fraction of a generation's evaluations that each processor makes. The master's fraction is last.
 std::vector<double> parts_of_whole_evaluations(int processors, double own_share) {
     std::vector<double> parts;
     auto slaves = static_cast<std::size_t>(processors - 1);
@@ -40,19 +40,19 @@ std::vector<double> parts_of_whole_evaluations(int processors, double own_share)
     return parts;
 }
 
-/// Returns the speedup of equation 4.9 if each of 300 evaluations is made on one processor, so that all processors wait
-/// for the largest share.
+/// Returns the speedup of equation 4.9 if none of the 300 evaluations is divided between processors. All processors
+/// then wait for the processor with the most evaluations.
 double whole_4_9(int alpha, int processors) {
     auto parts = parts_of_whole_evaluations(processors, 1);
     return (alpha + 1) / (alpha * *std::ranges::max_element(parts) + 1);
 }
 double whole_pipelined(int alpha, int processors) {
     auto parts = parts_of_whole_evaluations(processors, balanced_share(alpha, processors - 1));
-    parts.back() += 1.0 / alpha; // the master breeds as well
+    parts.back() += 1.0 / alpha; // the master also breeds
     return (1 + 1.0 / alpha) / *std::ranges::max_element(parts);
 }
 
-/// Returns the times of a generation, with breeding as the unit.
+/// Returns the times of a generation, in units of the breeding time.
 GenerationTimes times_at(int alpha, double communication) {
     return {.evaluating = 1.0 * alpha, .breeding = 1, .communication = communication};
 }
@@ -74,7 +74,7 @@ Overrides overrides_of(const SpeedupPoint& point) {
     return overrides;
 }
 
-/// Runs the netlist; the run of each SpeedupPoint is made once.
+/// Runs the netlist once for each SpeedupPoint, and keeps the reports.
 class SpeedupRuns {
 public:
     explicit SpeedupRuns(const ReplayContext& context) : context_(context) {}
@@ -89,18 +89,19 @@ public:
         return runs_.emplace(point, std::move(report)).first->second;
     }
 
-    /// Returns how many generations all populations together make in the time in which a single processor makes one
-    /// generation.
+    /// Returns the number of generations that all populations together make in the time that one generation takes on a
+    /// single processor.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Returns n t_c2 of equation 4.9, in units of t_s. As in the thesis, n t_c2 is measured as the communication of a
-    /// generation with nothing to evaluate. A generation on one processor takes (alpha + 1) t_s.
+    /// Returns n t_c2 of equation 4.9, in units of t_s. As in the thesis, n t_c2 is measured in a generation in which
+    /// nothing is evaluated. A generation on one processor takes (alpha + 1) t_s.
     double communication(const SpeedupPoint& point) {
         return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /
                alone(point).measured("master[0]", "T_exe");
     }
 
-    /// Returns whether a population has the same generations in all runs: on one processor, in parallel, and pipelined.
+    /// Returns whether a population goes through the same generations in all runs: on one processor, in parallel, and
+    /// with a pipeline.
     bool are_the_same_generations() {
         std::map<std::string, std::string> populations;
         for (const auto& [point, report] : runs_)
@@ -163,9 +164,9 @@ Comparison run_figure_4_7(SpeedupRuns& runs) {
                                              runs.speedup({alpha, processors, 2, speedup_work_alone}), .03 * known, 2);
                       });
     comparison.judged = true;
-    comparison.notes =
-        "ideal: the number of processors, at most alpha + 1\n"
-        "both figures: 300 evaluations are dealt out whole, so the processor with the most decides the speedup\n";
+    comparison.notes = "ideal: the number of processors, at most alpha + 1\n"
+                       "both figures: 300 evaluations are dealt out whole, so the processor with the most evaluations "
+                       "limits the speedup\n";
     return comparison;
 }
 
@@ -189,12 +190,12 @@ Comparison run_pipelined_on_t800s(SpeedupRuns& runs) {
 /// A speedup by formula, and the allowed distance of the simulated speedup.
 struct FormulaSpeedup {
     double known;
-    double whole;   ///< speedup if each evaluation is made on one processor; the difference is allowed
+    double whole;   ///< speedup if no evaluation is divided between processors; its difference from `known` is allowed
     double allowed; ///< additional tolerance, relative to `known`
     double tolerance() const { return std::abs(known - whole) + allowed * known; }
 };
 
-/// Returns equation C.2 for the simulated speedup.
+/// Returns the efficiency by equation C.2 for the simulated speedup.
 double simulated_efficiency(SpeedupRuns& runs, const SpeedupPoint& point) {
     return formula_c_2(runs.speedup(point), point.processors);
 }

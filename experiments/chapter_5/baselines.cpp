@@ -21,13 +21,15 @@ namespace {
 constexpr std::size_t searchers = 100; ///< points of a population, as in the thesis's single genetic algorithm
 /// `least_step` of a CovarianceAdaptation that keeps exploring.
 constexpr double least_step = 0.02;
-/// The claimed lag beyond least squares over the same window, in generations: at least `least_lag_beyond` for genetic
-/// algorithms, at most `most_lag_beyond` for searches among real numbers.
+/// Bounds for the additional lag: the lag minus the lag of least squares over the same window, in generations. Genetic
+/// algorithms are claimed to have an additional lag of at least `least_lag_beyond`, and searches over real numbers of
+/// at most `most_lag_beyond`.
 constexpr double least_lag_beyond = 10, most_lag_beyond = 5;
 /// c1 of coloured noise.
 constexpr double colour = 0.8;
 
-/// Returns the pole in each generation. `find(samples seen so far, whether one is new)` computes it.
+/// Returns the pole found in each generation. It is computed by `find(samples, is_new)`, where `samples` are the
+/// samples so far, and `is_new` says whether a sample is new in this generation.
 template <class Find>
 std::vector<Pole> follow_record(const PlantExperiment& plant, std::uint64_t seed, Find find) {
     auto samples = plant_samples(plant, seed);
@@ -59,8 +61,8 @@ std::vector<Pole> follow_recursively(const PlantExperiment& plant, std::uint64_t
     });
 }
 
-/// Maps points of the unit cube to the parameters of Table 5.1. Computes the sum of squared errors over a window for
-/// such a point.
+/// Maps a point of the unit cube to the parameters of Table 5.1, and computes the sum of squared errors over a window
+/// for these parameters.
 class PlantCube {
 public:
     PoleZeroPlant plant(const Eigen::VectorXd& point) const {
@@ -165,8 +167,9 @@ std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. Without noise
-/// the genetic algorithms cannot follow sooner, and before the change least squares finds the plant to the last bits.
+/// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. Without
+/// noise, the genetic algorithms therefore cannot follow a change sooner than least squares, and least squares finds
+/// the unchanged plant nearly exactly.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];
@@ -178,7 +181,8 @@ Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vecto
     return comparison;
 }
 
-/// Returns claims about how much later the searches follow than least squares over the same window, for each seed.
+/// Returns claims about the additional lag of the searches: for each seed, the lag minus the lag of least squares over
+/// the same window.
 std::vector<Claim> claims_of(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     auto lag_beyond = [&](const PlantStudy& study) { return less(study.lags(), exact[1].lags()); };
     auto claim = [&](const PlantStudy& study) { return "lag beyond least squares, " + study.islands.name; };

@@ -23,7 +23,7 @@ std::string islands_of(std::size_t population) {
                : fmt::format("{} islands of {}", global_population / population, population);
 }
 
-/// Finds the generations until the target is reached, for each size of the islands.
+/// Finds the number of generations until the target is reached, for each size of the islands.
 TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
     TaskStudy study{task, {std::begin(local_populations), std::end(local_populations)}, generation_limit, {}};
     for (std::size_t population : local_populations)
@@ -44,8 +44,9 @@ Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests "as small as 6 without affecting the measured convergence rate": at most a tenth more generations than one
-/// population. Functions whose target few runs reach are left out, since their medians have no meaning.
+/// Tests the claim "as small as 6 without affecting the measured convergence rate", taken to mean "islands of 6 need at
+/// most a tenth more generations than one population". Functions with a target that few runs reach are left out, since
+/// their medians have no meaning.
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -59,8 +60,8 @@ std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     return claims;
 }
 
-/// Returns islands on the changing plant with the usual global population. Each island sends to one neighbour in a
-/// hypercube at a time.
+/// Returns the settings of islands on the changing plant, with the usual global population. At each exchange, an island
+/// sends to one of its neighbours in a hypercube.
 PlantIslands islands_on_plant(std::size_t population, double noise) {
     std::size_t islands = global_population / population;
     PlantIslands plant = sized(traditional_pga("sequential(every = 3)", noise), islands_of(population),
@@ -70,7 +71,8 @@ PlantIslands islands_on_plant(std::size_t population, double noise) {
     return plant;
 }
 
-/// Tests "at least 20": islands of 24 follow as well as one population, and islands of 6 do not.
+/// Tests the claim "at least 20", taken to mean "islands of 24 follow as well as one population, and islands of 6 do
+/// not".
 std::vector<Claim> identification_claims(const std::vector<PlantStudy>& studies) {
     auto more_error = [&](std::size_t than, std::size_t of) {
         return less(studies[of].errors_after(), studies[than].errors_after());
@@ -97,7 +99,7 @@ Comparison diversity_of(const std::vector<PlantStudy>& studies, const std::strin
     return comparison;
 }
 
-/// Judges the medians against the medians of 240 other seeds.
+/// Judges the medians by the medians over 240 other seeds.
 Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     Comparison comparison{.name = "one-max of 60 bits, generations to all ones", .against = "known"};
     const double known[]{31, 31, 33, 36, 45};
@@ -107,7 +109,7 @@ Comparison judged_sizes(const std::vector<TaskStudy>& tasks) {
     return comparison;
 }
 
-/// Plots the course of one-max for islands of three sizes.
+/// Plots the best objective of one-max over the generations, for islands of three sizes.
 Panel climb_panel(const ReplayContext& context) {
     const StaticTask& task = static_tasks().front();
     std::vector<ConvergenceCurve> curves;

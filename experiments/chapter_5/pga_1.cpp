@@ -29,9 +29,10 @@ struct SequentialStudies {
     }
 };
 
-/// Tests "The variance of the estimated parameter seemed to be reduced slightly ... no other indication of any
-/// significant improvement". "Slightly" is taken as at most a third. "No significant improvement" is taken as at most
-/// ten generations of delay, which an eye can see in a figure of 600.
+/// Tests the claim "The variance of the estimated parameter seemed to be reduced slightly ... no other indication of
+/// any significant improvement". "Slightly" is taken to mean at most a third. "No significant improvement" is taken to
+/// mean that the delay is at most ten generations shorter: a greater difference would be visible in a figure of 600
+/// generations.
 std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
     auto delay = [](const PlantStudy& study) { return study.of(0, Tracking::delay_20); };
     auto deviation = [](const PlantStudy& study) { return study.of(0, Tracking::deviation_after); };
@@ -45,7 +46,7 @@ std::vector<Claim> claims_of(const SequentialStudies& studies, double noise) {
              10}};
 }
 
-/// Judges the delays against the delays of 240 other seeds.
+/// Judges the delays by the delays over 240 other seeds.
 Comparison judged_figures(const SequentialStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

@@ -17,8 +17,8 @@ PlantIslands with_sizes(const char* name, const std::vector<std::size_t>& popula
     return sized(traditional_pga(every_generation, noise), name, populations, windows);
 }
 
-/// The traditional islands and the distributed islands, which differ in populations and windows. `larger` differs from
-/// `traditional` only in populations, `windows` only in windows.
+/// The studies of four kinds of islands. `distributed` differs from `traditional` in populations and windows, `larger`
+/// only in populations, and `windows` only in windows.
 struct BroadcastStudies {
     PlantStudy traditional, larger, windows, distributed;
 
@@ -82,7 +82,7 @@ Comparison diversity_comparison(const std::string& name, const BroadcastStudies&
     return comparison;
 }
 
-/// Judges the diversity against the diversity of 240 other seeds.
+/// Judges the diversity by the diversity over 240 other seeds.
 Comparison judged_diversity(const BroadcastStudies& noiseless) {
     Comparison comparison{.name = "number of the 37 bits in which two individuals of an island differ, noiseless",
                           .against = "known"};

@@ -36,9 +36,10 @@ private:
     }
 };
 
-/// Tests three statements. "Window size 10 and 30 started responding at 250 and 300": 50 generations earlier, of which
-/// an eye may miss 10. "A window size 30 could filter out noise much better": half the deviation. "No observable
-/// improvement on tracking": at most 10 generations earlier.
+/// Tests three claims. "Window size 10 and 30 started responding at 250 and 300" is taken to mean at least 40
+/// generations earlier: 50 as stated, minus 10 for reading the figure by eye. "A window size 30 could filter out noise
+/// much better" is taken to mean at most half the deviation. "No observable improvement on tracking" is taken to mean
+/// at most 10 generations earlier.
 std::vector<Claim> claims_of(const WindowStudies& studies) {
     auto delay = [](const PlantStudy& study, std::size_t track) { return study.of(track, Tracking::delay_20); };
     auto deviation = [&](std::size_t track) { return studies.distributed.of(track, Tracking::deviation_after); };
@@ -57,8 +58,8 @@ std::vector<Claim> claims_of(const WindowStudies& studies) {
     return claims;
 }
 
-/// Returns islands with a new sample in every generation, instead of every third. The thesis does not mention this
-/// reading.
+/// Returns islands with a new sample in every generation instead of every third generation. The thesis does not mention
+/// this possibility.
 PlantIslands sampled_in_every_generation() {
     PlantIslands islands = distributed_pga(every_twelfth, 0);
     islands.name += ", a sample a generation";
@@ -66,8 +67,8 @@ PlantIslands sampled_in_every_generation() {
     return islands;
 }
 
-/// Judges the delays for windows 30 and 10 against those of an independent prototype. With a sample in every generation
-/// the two delays differ by at most 30 %, because most of the delay is then the search's.
+/// Judges the delays for windows 30 and 10 by the delays in an independent prototype. With a sample in every generation
+/// the two delays must differ by at most 30 %, because the search then causes most of the delay.
 Comparison judged_delays(const ReplayContext& context, const WindowStudies& noiseless) {
     Comparison comparison{.name = "delay until 20 % of the change is followed, noiseless", .against = "known"};
     auto rows = noiseless.rows();

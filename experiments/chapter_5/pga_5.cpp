@@ -34,10 +34,10 @@ private:
     }
 };
 
-/// Tests "Actually outperformed GA in tracking parameter changes and had smaller variance": at least ten generations
-/// less lag, which an eye can see, and any smaller deviation. The rule "row" is expected to track better than the
-/// thesis's rival, but not better than a rival of equal cost. With "row" the deviation is smaller only up to some
-/// noise.
+/// Tests the claim "Actually outperformed GA in tracking parameter changes and had smaller variance". The claim is
+/// taken to mean that the lag is at least ten generations shorter, which is visible in a figure, and that the deviation
+/// is smaller. The rule "row" is expected to track better than the genetic algorithm of the thesis, but not better than
+/// a genetic algorithm of equal cost. With "row" the deviation is expected to be smaller only at low noise.
 void add_claims(std::vector<Claim>& claims, const RivalStudies& studies, const std::string& rule,
                 const PlantStudy& rival) {
     const bool is_row = rule == "row", is_of_equal_cost = &rival == &studies.equal_cost;
@@ -67,7 +67,7 @@ std::vector<Claim> claims_of(const RivalStudies& studies) {
     return claims;
 }
 
-/// Judges the single genetic algorithm against that of an independent prototype.
+/// Judges the single genetic algorithm by the results of an independent prototype.
 Comparison judged_single(const RivalStudies& noiseless) {
     Comparison comparison{.name = "the genetic algorithm of 100 with window 30, noiseless", .against = "known"};
     auto median = [&](Tracking figure) { return noiseless.single.median(0, figure); };

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t population_sizes[]{25, 50, 100, 200, 400, 800};
 constexpr std::size_t evaluation_limit = 80000;
 
-/// Finds the evaluations until the target is reached, for each size of the population.
+/// Finds the number of evaluations until the target is reached, for each size of the population.
 TaskStudy study_populations(const ReplayContext& context, const StaticTask& task) {
     TaskStudy study{task, {std::begin(population_sizes), std::end(population_sizes)}, evaluation_limit, {}};
     for (std::size_t population : population_sizes) {
@@ -41,8 +41,9 @@ Comparison evaluations_table(const std::vector<TaskStudy>& studies) {
     return comparison;
 }
 
-/// Tests "The global population size plays a significant role": 400 individuals need at least a fifth more evaluations
-/// than 100. Functions whose target few runs reach are left out, since their medians have no meaning.
+/// Tests the claim "The global population size plays a significant role", taken to mean "400 individuals need at least
+/// a fifth more evaluations than 100". Functions with a target that few runs reach are left out, since their medians
+/// have no meaning.
 std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;
     for (const TaskStudy& study : studies)
@@ -59,8 +60,9 @@ PlantIslands one_population(std::size_t population, double noise) {
     return sized(single_ga(noise), fmt::format("{} individuals", population), {population}, {30});
 }
 
-/// Tests "Good performance can be obtained from small global population size of 100": four times as many individuals
-/// gain at most ten generations of lag and .01 of error, and the pole is found.
+/// Tests the claim "Good performance can be obtained from small global population size of 100". The claim is taken to
+/// mean that 100 individuals find the pole, and that 400 individuals reduce the lag by at most ten generations and the
+/// error by at most .01.
 std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
     return {{"error after, 100 individuals", "", studies[2].errors_after(), {}, found_pole},
             {"lag, 100 minus 400 individuals", "generations", less(studies[2].lags(), studies[4].lags()), {}, 10},
@@ -79,7 +81,7 @@ std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
     return rows;
 }
 
-/// Judges the lags against the lags of 240 other seeds.
+/// Compares the median lags with the medians over 240 other seeds.
 Comparison judged_lags(const std::vector<PlantStudy>& noiseless) {
     Comparison comparison{.name = "lag on the plant, noiseless", .against = "known"};
     const double known[]{106, 90, 84, 82, 81, 80};

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array coarse_populations{24, 30, 50};
 
-/// A row of Table 6.4 or of its control, the conventional string of 37 bits.
+/// A row of Table 6.4, or a row with the conventional string of 37 bits, which is the control.
 struct CoarseRow {
     std::size_t field_bits; ///< bits of each of the five parameters
     std::size_t population;
@@ -65,13 +65,15 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
-/// Returns settings of a pair: the population of each search, and the bits of each of the five parameters.
+/// Returns the settings of a pair with this population of each search and this number of bits for each of the five
+/// parameters.
 CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
     Recoding coarse = plant_reading(field_bits);
     return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
 }
 
-/// Compares pairs with single searches whose population is the sum of both populations of the pair.
+/// Compares pairs with single searches. The population of a single search is as large as both populations of a pair
+/// together.
 Comparison pair_table(const ReplayContext& context) {
     Comparison comparison{.name =
                               "the pair (answer of the fine search), and single searches with equally many evaluations",
@@ -125,8 +127,8 @@ Comparison landscape_table(const ReplayContext& context) {
     return comparison;
 }
 
-/// Tests the thesis's "more than two or three thousands" (6.2). Counts the strings with nearly the best fitness among
-/// those that differ only in the 15 "don't care" bits.
+/// Tests the thesis's claim "more than two or three thousands" (6.2). Counts the strings with nearly the best fitness
+/// among the strings that differ only in the 15 "don't care" bits.
 Comparison near_optimum_claims(const ReplayContext& context) {
     constexpr double percents[]{99, 95};
     std::vector<Claim> claims;
@@ -164,8 +166,8 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
-/// Returns the problem's string for these codes of alpha and beta, the two fields after the delay, in a reading. The
-/// codes of the other fields are 0.
+/// Returns the problem's string for a string of the reading with these codes of alpha and beta, which are the two
+/// fields after the delay. The codes of the other fields are 0.
 Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
     Genome bred(reading.length());
     bred.set_field(reading.bits[0], reading.bits[1], alpha);
@@ -173,7 +175,7 @@ Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t bet
     return reading.to_problem(bred);
 }
 
-/// Returns all pairs of alpha and beta that a reading can express.
+/// Returns a point for each pair of alpha and beta that a reading can express.
 Series grid(const Recoding& reading, const std::string& name) {
     Series points{.name = name, .stroke = Stroke::points};
     for (std::uint64_t alpha = 0; alpha < std::uint64_t{1} << reading.bits[1]; ++alpha)
@@ -184,7 +186,7 @@ Series grid(const Recoding& reading, const std::string& name) {
     return points;
 }
 
-/// Returns the panel with other axes, without the points beyond these axes.
+/// Returns the panel with other axes. Points outside the new axes are removed.
 Panel part_of(Panel panel, const std::string& title, const Axis& x, const Axis& y) {
     panel.title = title;
     panel.x = x;

@@ -100,7 +100,7 @@ Replay replay_crossover_by_difference(const ReplayContext& context) {
 
 extern const Experiment crossover_by_difference_experiment{
     .name = "crossover-by-difference",
-    .about = "mates chosen by their bit difference, beside other ways to cross, on the plant of chapter 5",
+    .about = "crossover of mates chosen by their bit difference, beside other operators, on the plant of chapter 5",
     .chapter = "6",
     .number = 5,
     .run = replay_crossover_by_difference,

@@ -23,7 +23,7 @@ constexpr CodingTried codings[]{
     {.name = "Gray, stuffed a*a*a", .coding = GrayCoding{1}},
 };
 
-/// The other settings of a search.
+/// The settings of a search, except its coding.
 struct EncodingGroup {
     const char* name;
     std::size_t field_bits, population;
@@ -63,7 +63,7 @@ PlantSearch search_of(const EncodingGroup& group, const CodingTried& tried) {
 void judge_ranking(Comparison& comparison, const std::vector<Tally>& tallies) {
     for (const Tally& tally : tallies) {
         Cell cell = plain_cell(tally.name, "followed, judged", "", tally.followed_percent(), 0);
-        double most = std::max(45.0, 15 + share_tolerance(15, tally.runs)); // a few seeds scatter more
+        double most = std::max(45.0, 15 + share_tolerance(15, tally.runs)); // with few seeds, shares scatter more
         comparison.add(tally.name.starts_with("Gray") ? at_least(95, cell) : at_most(most, cell));
     }
 }

@@ -14,7 +14,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_counted_bits = 7; ///< dimension of the hypercube of which all pairs of vertices are tried
+constexpr std::size_t most_counted_bits = 7; ///< dimension of the largest hypercube in which all pairs of vertices are
+                                             ///< tried
 
 Genome string_of(std::uint64_t vertex, std::size_t bits) {
     Genome genome(bits);
@@ -38,8 +39,8 @@ double binomial(std::size_t of, std::size_t chosen) {
     return count;
 }
 
-/// Returns a cell, which is judged unless `differ` is 0: the count is then 1, the vertex itself, but the thesis prints
-/// 0.
+/// Returns a cell with the count. It is judged unless `differ` is 0: the count is then 1, for the vertex itself, but
+/// the thesis prints 0.
 Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
     std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
                 column = fmt::format("l = {}", bits);
@@ -70,7 +71,7 @@ struct Extremes {
 /// The results of one-point crossover for all pairs of parents with the same number of different bits.
 struct Children {
     std::size_t outside = 0;     ///< offspring outside the hypercube spanned by the difference of the parents
-    std::size_t otherwise = 0;   ///< pairs of offspring that differ in another number of bits than their parents
+    std::size_t otherwise = 0;   ///< pairs of offspring whose number of different bits is not that of their parents
     std::size_t from_own = 0;    ///< greatest difference of A1 from A0, the parent of its first characters
     std::size_t from_nearer = 0; ///< greatest difference from the nearer parent
 };
@@ -90,7 +91,7 @@ void add_children(Children& children, const Genome& a, const Genome& b, std::siz
     }
 }
 
-/// Calls `visit` for every pair of parents on a hypercube, with their bit difference.
+/// Calls `visit` for every pair of parents on a hypercube, and passes their number of different bits.
 template <class Visit>
 void for_each_pair(std::size_t bits, Visit visit) {
     for (std::uint64_t a = 0; a < std::uint64_t{1} << bits; ++a)
@@ -147,8 +148,8 @@ constexpr Reach reaches[]{{"one-point", new_by_one_point},
                           {"two-point", new_by_two_point},
                           {"uniform", all_new}};
 
-/// Adds the number of new vertices that pairs reach, by the difference of the pair. If the least and the greatest
-/// number differ, both are judged.
+/// Adds a row for each number of different bits. The row has the greatest number of new vertices that pairs with this
+/// difference reach. If the least number is not the same, it is judged in a cell of its own.
 void add_reach(Comparison& comparison, const Reach& reach) {
     Crossover crossover = Crossover::named(reach.crossover);
     std::vector<Extremes> counted(most_counted_bits + 1);
@@ -186,7 +187,8 @@ std::string draw_figure_6_2() {
     return draw_hypercubes("Figure 6.2: a four-dimensional hypercube", {cube}, 1, {});
 }
 
-/// The function of Figure 6.1, of whole numbers from 0 to 15: linear at first, then with jumps and several maxima.
+/// The values of the function in Figure 6.1, for whole numbers from 0 to 15. The function is linear at first; then it
+/// has jumps and several maxima.
 constexpr std::array figure_6_1_values{0, 1, 2, 3, 4, 5, 9, 6, 2, 8, 3, 7, 1, 10, 5, 4};
 
 /// Returns the numbers at which the function is greater than at all of their neighbours.
@@ -234,8 +236,8 @@ std::string draw_figure_6_1() {
                            {{VertexLook::parent, "maximum among its neighbours"}});
 }
 
-/// Draws the fitness of an impulse at 1011 over x. A second panel has the number of bits that differ from the best
-/// string as its axis. It shows the fitness, and the share of right bits, which rises towards the best string.
+/// Draws the fitness of an impulse at 1011 over x. A second panel shows the fitness over the number of bits that differ
+/// from the best string. The second panel also shows the share of right bits, which rises towards the best string.
 Plot plot_figure_6_5() {
     auto fitness = [](std::uint32_t x) { return x == 0b1011 ? 1. : 0.; };
     Series impulse = curve({.name = "impulse at 1011"}, 15, [&](int x) {
@@ -254,7 +256,7 @@ Plot plot_figure_6_5() {
               .series = {flat, slope}}}};
 }
 
-/// Draws the offspring of parents that differ in every bit of their space: 00...0 and 11...1.
+/// Draws the offspring of the parents 00...0 and 11...1, which have `differ` bits and differ in all of them.
 DrawnHypercube offspring_between_parents(std::size_t differ) {
     constexpr const char* spaces[]{"", "a link", "a plane", "a cube", "a hypercube of dimension 4"};
     Genome first(differ + 1), second = string_of((std::uint64_t{1} << differ) - 1, differ + 1);
@@ -293,7 +295,7 @@ Replay replay_hypercube(const ReplayContext& context) {
 
 extern const Experiment hypercube_experiment{
     .name = "hypercube",
-    .about = "vertices of a hypercube, and those that crossover reaches, counted: Tables 6.1, 6.2, Figures 6.2, 6.3",
+    .about = "vertices of a hypercube and the vertices that crossover reaches: Tables 6.1, 6.2, Figures 6.2, 6.3",
     .chapter = "6",
     .number = 1,
     .run = replay_hypercube,

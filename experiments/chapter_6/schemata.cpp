@@ -17,13 +17,13 @@ namespace {
 
 constexpr std::size_t schema_bits = 8, schema_population = 50, schema_generations = 10;
 constexpr double schema_crossover = 0.8, schema_mutation = 0.01;
-constexpr double least_of_bound = 0.99; ///< the claim: at least this share of the bound is counted
+constexpr double least_of_bound = 0.99; ///< the claim is that at least this share of the bound is counted
 
-/// The counts of the schemata of one class in one run: the lower bound of equation 6.2, the expectation from
+/// The counts for one class of schemata in one run: the lower bound of equation 6.2, the number expected from
 /// reproduction alone, and the actual number.
 struct SchemaCounts {
     double bound = 0, reproduced = 0, counted = 0;
-    double outcomes = 0, below = 0; ///< number of single counts, and of those below the bound
+    double outcomes = 0, below = 0; ///< number of single counts, and number of single counts below the bound
 
     void add(double expected, double selected, double came) {
         bound += expected;
@@ -34,12 +34,13 @@ struct SchemaCounts {
     }
 };
 
-/// Classifies a schema, in each generation, by the mean fitness of its strings. All schemata of the same positions
-/// together always have as many strings as the population, so only separate classes show the effect of a generation.
+/// The class of a schema in a generation, by the mean fitness of its strings. All schemata with the same fixed
+/// positions together always have as many strings as the population. The effect of a generation is therefore visible
+/// only if fit and unfit schemata are counted separately.
 enum class SchemaFit : unsigned char { above, below }; ///< relative to the mean fitness of the population
 
-/// Counts of schemata above the mean: of order 1 at index 0, of order 2 at their defining length. Then the counts of
-/// schemata below the mean, in the same order.
+/// The counts of schemata above the mean come first: order 1 at index 0, and order 2 at the index of the defining
+/// length. The counts of schemata below the mean follow in the same order.
 using CountsByClass = std::vector<SchemaCounts>;
 
 std::size_t class_of(std::size_t defining_length, SchemaFit fit) {
@@ -139,7 +140,7 @@ std::string length_row(std::size_t length) {
     return length == 0 ? "order 1" : fmt::format("order 2, defining length {}", length);
 }
 
-/// Adds the counts relative to their bounds. The upper end of the 95 % interval must be at least `least_of_bound`.
+/// Adds the counts divided by their bounds. The upper end of the 95 % interval must be at least `least_of_bound`.
 void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit) {
     std::string name = study.name;
     for (std::size_t length = 0; length < schema_bits; ++length) {
@@ -162,7 +163,7 @@ Comparison compare_bounds(const std::vector<SchemaStudy>& studies, SchemaFit fit
     return comparison;
 }
 
-/// Compares the claims that say more than the bound, each as a number.
+/// Compares the claims that go beyond the bound; each claim is expressed as a number.
 Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncrossed) {
     Comparison comparison{.name = "claims about schemata above the mean fitness", .against = "claim", .judged = true};
     double most = 0;
@@ -179,8 +180,8 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
     return comparison;
 }
 
-/// Compares the number of strings of fit schemata, after crossover and mutation, with the number expected from
-/// reproduction alone. The quotient stands beside the quotient that equation 6.2 guarantees.
+/// Divides the number of strings of fit schemata, after crossover and mutation, by the number expected from
+/// reproduction alone. Equation 6.2 guarantees a quotient, which is the reference.
 Comparison compare_survival(const SchemaStudy& study) {
     Comparison comparison{.name = "schemata above the mean fitness: number counted / number from reproduction alone",
                           .against = "eq. 6.2"};
@@ -197,7 +198,7 @@ Comparison compare_survival(const SchemaStudy& study) {
     return comparison;
 }
 
-/// Returns quotients by defining length, with their intervals.
+/// Returns the quotients over the defining length, with their intervals.
 Series quotients(const SchemaStudy& study, CountedFigure under) {
     Series series{.name = study.name};
     for (std::size_t length = 1; length < schema_bits; ++length) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace placedpar {
 
@@ -14,9 +15,12 @@ namespace {
 constexpr std::size_t bootstrap_samples = 2000;
 constexpr double outside = 0.05;
 
-/// Returns the interval of a statistic of `count` runs drawn with replacement, by their indices.
+/// Returns the 95 % interval of a statistic of `count` runs that are drawn with replacement. The statistic is computed
+/// from the indices of the drawn runs.
 template <class Statistic>
 Interval bootstrap(std::size_t count, Statistic statistic) {
+    if (count < least_runs_for_interval)
+        return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
     RandomStream random(0, "bootstrap");
     std::vector<double> found;
     std::vector<std::size_t> drawn(count);

@@ -16,7 +16,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether a value is on the claimed side.
+/// Returns whether a value is within the claim's bounds.
 bool agrees(const Claim& claim, double value) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     return value >= claim.at_least.value_or(-infinity) && value <= claim.at_most.value_or(infinity);
@@ -43,7 +43,8 @@ int decimals_of(const Claim& claim) {
     return decimals;
 }
 
-/// Sets the bounds such that the cell is outside them if its whole interval contradicts the expected verdict.
+/// Sets the cell's bounds such that the cell is outside its bounds if its whole interval contradicts the expected
+/// verdict.
 void set_bounds(Cell& cell, const Claim& claim, Interval interval) {
     cell.interval = interval;
     cell.at_least = claim.at_least;
@@ -76,10 +77,11 @@ const char* name_of(ClaimVerdict verdict) {
 
 ClaimVerdict verdict_of(const Claim& claim) {
     Interval interval = median_interval(claim.values);
-    bool low = agrees(claim, interval.low), high = agrees(claim, interval.high);
-    if (low && high)
+    if (agrees(claim, interval.low) && agrees(claim, interval.high))
         return ClaimVerdict::holds;
-    return low || high || agrees(claim, median(claim.values)) ? ClaimVerdict::undecided : ClaimVerdict::fails;
+    const bool overlaps =
+        interval.high >= claim.at_least.value_or(interval.high) && interval.low <= claim.at_most.value_or(interval.low);
+    return overlaps ? ClaimVerdict::undecided : ClaimVerdict::fails;
 }
 
 Comparison claims_comparison(std::string name, const std::vector<Claim>& claims, Judge judge) {

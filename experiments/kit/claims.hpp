@@ -18,20 +18,20 @@ struct Claim {
     std::string text, unit;
     std::vector<double> values; ///< one for each seed
     std::optional<double> at_least, at_most;
-    /// The verdict that the experiment's page states. For a claim that the page calls undecided, this is `holds`. If a
-    /// claim with two bounds is expected to fail, its median is expected above both bounds.
+    /// The verdict that the experiment's page states. If the page calls the claim undecided, `expected` is `holds`. If
+    /// a claim with two bounds is expected to fail, its median is expected to be above both bounds.
     ClaimVerdict expected = ClaimVerdict::holds;
 
     std::optional<double> bound() const { return at_least ? at_least : at_most; }
 };
 
-/// Returns `holds` if the whole 95 % interval of the median is within the bounds, `fails` if no part of it is,
-/// otherwise `undecided`.
+/// Returns `holds` if the whole 95 % interval of the median is within the bounds, `fails` if the whole interval is
+/// outside the bounds, otherwise `undecided`. So a claim is never decided by fewer runs than an interval needs.
 ClaimVerdict verdict_of(const Claim&);
 
-/// Returns the medians with their intervals as cells, and the verdicts as notes. The table is judged. A claim that is
-/// expected to fail is outside its tolerance if it holds; any other claim, if it fails. `judge` is the source of the
-/// claims.
+/// Returns a judged table of the claims, with the medians and their intervals as cells, and the verdicts as notes. A
+/// claim that is expected to fail is outside its tolerance if it holds; any other claim is outside its tolerance if it
+/// fails. `judge` is the source of the claims.
 Comparison claims_comparison(std::string name, const std::vector<Claim>&, Judge judge = Judge::thesis);
 
 } // namespace placedpar

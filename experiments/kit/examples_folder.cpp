@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns "" if there is no such file.
+/// Returns the first line of the file, or "" if there is no such file.
 std::string first_line(const fs::path& file) {
     std::string line;
     std::getline(std::ifstream(file), line);
@@ -40,7 +40,7 @@ std::vector<fs::path> places_of_examples(const fs::path& program, const char* na
 } // namespace
 
 fs::path examples_folder() {
-    std::error_code error; // set if the system does not have this file; the path of the program is then empty
+    std::error_code error; // set if the system does not have /proc/self/exe; the path of the program is then empty
     return examples_folder(fs::read_symlink("/proc/self/exe", error), std::getenv("PLACEDPAR_EXAMPLES"));
 }
 

@@ -25,9 +25,9 @@ struct NamedDrawing {
 /// The results of an experiment of the thesis.
 struct Replay {
     std::vector<Comparison> comparisons; ///< the first table and every `judged` table decide the result
-    std::string constants = {};          ///< text that says which constants were published, stated by the netlist, or
-                                         ///< calibrated
-    std::vector<hardware::Constant> constant_table = {}; ///< the constants as a list
+    std::string constants = {};          ///< text that says which constants were published, which the netlist states,
+                                         ///< and which were calibrated
+    std::vector<hardware::Constant> constant_table = {}; ///< the machine's constants as a list
     std::uint64_t fingerprint = 0;
     std::vector<NamedPlot> plots = {};       ///< drawn by --plots
     std::vector<NamedDrawing> drawings = {}; ///< written by --plots
@@ -35,20 +35,21 @@ struct Replay {
     bool within_tolerance() const { return are_within_tolerance(comparisons); }
 };
 
-/// Returns the replay of an experiment that runs no netlist. The fingerprint is computed from the printed tables, so
-/// that it does not depend on the last bits of the figures.
+/// Returns the replay of an experiment that runs no netlist. The fingerprint is computed from the tables as printed, so
+/// it does not depend on the last bits of the figures.
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
 struct ReplayContext {
     std::filesystem::path examples;                   ///< the folder of the netlists
     std::uint64_t seed;                               ///< seed of every random stream
-    std::function<void(const std::string&)> progress; ///< called with the progress as text; may throw, to end the
-                                                      ///< experiment
+    std::function<void(const std::string&)> progress; ///< called with the progress as text; may throw an exception to
+                                                      ///< end the experiment
     WarningSink warn;                                 ///< called with the warnings of netlists
-    Interruption& interruption;                       ///< ends the runs of netlists
+    Interruption& interruption;                       ///< when requested, ends the runs of netlists
     StudyResults& results;                            ///< earlier results of a study; new results are added
     std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
-    bool printed = false; ///< judge by the figures that the thesis prints, even where other figures are expected
+    bool printed = false; ///< whether to judge by the figures that the thesis prints, even where other figures are
+                          ///< expected
 };
 
 /// An experiment, as its source file describes it: see experiments/README.md.

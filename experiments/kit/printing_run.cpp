@@ -59,7 +59,7 @@ double PrintedRun::number_behind(std::string_view words) const {
         if (double number = 0; rest >> number)
             return number;
     }
-    throw UserError(fmt::format("a program did not print a number after \"{}\", but\n{}", words, text));
+    throw UserError(fmt::format("the program printed no number after \"{}\"; its whole output is\n{}", words, text));
 }
 
 std::vector<double> PrintedRun::numbers() const {

@@ -12,7 +12,7 @@ using Seeds = std::vector<std::uint64_t>;
 inline constexpr std::size_t usual_records = 50;
 
 /// Returns the seeds of a study's records. Each seed is drawn from its own stream, keyed by the study's seed and the
-/// record's number. With more records, the first seeds therefore stay the same.
+/// record's number. The first seeds therefore stay the same if more records are made.
 Seeds record_seeds(std::uint64_t study_seed, std::size_t records);
 
 } // namespace placedpar

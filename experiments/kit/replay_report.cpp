@@ -92,7 +92,7 @@ std::string constant_row(std::string_view name, std::string_view value, std::str
     return fmt::format("{:<46}  {:>6} {:<7}  {:<10}  {}\n", name, value, unit, mark, source);
 }
 
-/// Prints the constants below the name of each group.
+/// Prints the name of each group, and below it the constants of the group.
 std::string print_constants(const std::vector<hardware::Constant>& constants) {
     if (constants.empty())
         return "";

@@ -14,8 +14,8 @@ namespace placedpar {
 
 namespace {
 
-/// Names the figures by their indices, in an order that sorting keeps. If a figure is not finite, its unit holds its
-/// text, such as "nan".
+/// Names the figures by their indices, such that sorting the names keeps the order of the figures. If a figure is not
+/// finite, its unit holds its text, such as "nan".
 StudyFigures with_names(const Figures& figures) {
     StudyFigures named;
     for (double figure : figures)
@@ -42,7 +42,7 @@ std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& 
     Study study;
     study.function = [&](const StudyRun& each) { return with_names(run(seeds[each.seed])); };
     study.products = {{.axes = {{"run", {StudyValues("run", fmt::format("\"{}\"", what))}}}}};
-    study.first_seed = 0; // the number of the record, from which its seed is derived
+    study.first_seed = 0; // the number of the first record; the seed of a record is derived from its number
     study.seeds = seeds.size();
     StudySweep sweep(study, context.results);
     const std::size_t missing = sweep.missing().runs;

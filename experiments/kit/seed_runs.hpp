@@ -16,15 +16,15 @@ using Figures = std::vector<double>;
 /// Returns the seeds of this replay, ReplayContext::seeds in number.
 Seeds seeds_of(const ReplayContext& context);
 
-/// Makes a run for each seed of the replay on all cores. The figures are in the order of the seeds. Progress is
-/// reported as "what: 12 of 60 seeds". Runs in ReplayContext::results are not repeated; new runs are added to these
-/// results. REQUIRES: `run` may be called from several threads at once; `what` is unique within the experiment. Throws
-/// what ReplayContext::progress or a run throws, after the current runs have ended. Throws UnfinishedRun if
-/// interrupted.
+/// Calls `run` with each seed of the replay, using all cores. Returns the figures in the order of the seeds. Progress
+/// is reported as "WHAT: 12 of 60 seeds", where WHAT is `what`. Runs in ReplayContext::results are not repeated; new
+/// runs are added to these results. REQUIRES: `run` may be called from several threads at once; `what` is unique within
+/// the experiment. If ReplayContext::progress or a run throws, the exception is passed on after the current runs have
+/// ended. Throws UnfinishedRun if interrupted.
 std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& what,
                                const std::function<Figures(std::uint64_t seed)>& run);
 
-/// Returns the figure with this index of every run.
+/// Returns the figure at `index` of every run.
 std::vector<double> column(const std::vector<Figures>& runs, std::size_t index);
 
 } // namespace placedpar

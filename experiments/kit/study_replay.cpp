@@ -23,7 +23,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError if the netlist was refused, and UnfinishedRun if the run did not complete.
+/// Throws UserError if the netlist has errors, and UnfinishedRun if the run did not complete.
 void require_whole(const StudyOutcome& outcome, const std::string& netlist) {
     if (!outcome.refused.empty())
         throw UserError(outcome.refused);
@@ -52,9 +52,9 @@ void StudyReplay::refuse(const std::string& why) const { throw UserError(fmt::fo
 
 void StudyReplay::require_tables() const {
     if (study_.tables.empty())
-        refuse("the study has no [[table]], which a replay needs");
+        refuse("the study has no [[table]], but a replay needs one");
     if (study_.seeds != 1 || study_.first_seed != 1)
-        refuse("the seed of a replay comes from --seed: leave out seeds and first_seed");
+        refuse("the seed of a replay comes from --seed: remove seeds and first_seed from the study");
 }
 
 void StudyReplay::look_at_netlists() const {

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Runs a study of the examples for a replay. The user may have edited the study's file: if it lacks something that the
-/// replay needs, functions throw UserError with the file's name.
+/// Runs a study of the examples for a replay. The user may have edited the study's file. If the file lacks something
+/// that the replay needs, the functions below throw UserError with the file's name.
 class StudyReplay {
 public:
     /// Makes the runs of the study. `file` is a path below the folder of the examples. Throws RefusedInput, UserError
@@ -19,7 +19,7 @@ public:
 
     /// Returns the study's tables and notes. The fingerprint covers all runs of the study in their order.
     Replay replay() const;
-    /// Returns the table with this name among the tables of replay().
+    /// Returns the table with this name. The first argument is the result of replay().
     Comparison& table(Replay&, const std::string& name) const;
     /// Returns the first number in the name of a row or column: 12 in "tree of 12 slaves".
     double number_in(const std::string& name) const;
@@ -30,7 +30,8 @@ public:
 
 private:
     void require_tables() const;
-    /// Loads the netlists of all runs. Shows their warnings, and refuses measures that no run can have.
+    /// Loads the netlists of all runs and shows their warnings. Throws if the study uses a measure that no run can
+    /// have.
     void look_at_netlists() const;
     StudyOutcome outcome_of(const StudyRun&) const;
 

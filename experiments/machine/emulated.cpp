@@ -17,8 +17,8 @@
 #include <span>
 #include <vector>
 
-// This experiment measures transputers that execute their own code. A program in the transputer's instructions measures
-// by its clock, or a watcher notes the times at which instructions begin.
+// This experiment measures transputers that execute their own code. Times are measured in one of two ways: a program
+// reads the transputer's clock, or a watcher notes when instructions begin.
 
 namespace placedpar {
 
@@ -35,7 +35,7 @@ constexpr Time emulated_cycle = duration_of(1, emulated_hertz);
 constexpr Word code_on_chip = transputer::most_negative + 0x80, code_outside = transputer::most_negative + 0x10000,
                workspace_on_chip = transputer::most_negative + 0xE00;
 
-/// A T800 without wires that executes a program.
+/// A T800 that executes a program and has no wires.
 class EmulatedProgram final : private transputer::LinkEngines, private Core::Watcher {
 public:
     /// `priority` is the priority of the program: 0 is high, 1 is low.
@@ -49,7 +49,7 @@ public:
         core_.set_registers(registers, priority);
     }
 
-    /// Calls a function whenever the instruction at a label begins.
+    /// Registers a function that is called whenever the instruction at the label begins.
     void watch(const std::string& label, std::function<void()> f) {
         watched_[program_[label]] = std::move(f);
         core_.watch(this);
@@ -86,7 +86,8 @@ private:
 
 // Interrupts
 
-/// A process of high priority waits for ticks of its clock, and interrupts a program at low priority.
+/// In this program, a process of high priority waits for ticks of its clock. When it continues, it interrupts a program
+/// of low priority.
 constexpr const char* interrupts = R"(
            ldc 0; sttimer
   started: ldc low - here; ldpi                                    -- a process of low priority, at W - 40
@@ -99,8 +100,8 @@ constexpr const char* interrupts = R"(
            j low
 )";
 
-/// Returns the latencies of many interrupts of a program, in cycles and in ascending order: from the tick that ends a
-/// wait to the first instruction.
+/// Returns the latencies of many interrupts of a program, in cycles and in ascending order. A latency is the time from
+/// the tick that ends a wait to the first instruction after the wait.
 std::vector<std::int64_t> latencies_beside(const char* low_program) {
     EmulatedProgram t800(fmt::format(interrupts, low_program), 0);
     Time clock_began{};
@@ -135,7 +136,8 @@ double longest_latency_beside(const char* program) { return static_cast<double>(
 
 // Turns
 
-/// After a delay, processes that compute become ready; the process `asks` becomes ready behind them.
+/// In this program, processes that compute become ready after a delay. Then the process `asks` becomes ready and is
+/// queued behind them.
 constexpr const char* turns = R"(
            ldc {}; stl 2; ldc 0; stl 1
     delay: ldlp 1; ldc over - delay; lend
@@ -146,8 +148,8 @@ constexpr const char* turns = R"(
      asks: stopp
 )";
 
-/// Returns the time from the moment at which a process becomes ready until it begins, in timeslice periods. Just
-/// before, `others` processes that compute have become ready; they do so after `delay` turns of a loop.
+/// Returns the time between the moments at which a process becomes ready and begins, in timeslice periods. `others`
+/// processes that compute become ready after `delay` turns of a loop, just before this process.
 double wait_beside(int others, int delay) {
     std::string starts;
     for (int i = 0; i < others; ++i)
@@ -161,10 +163,11 @@ double wait_beside(int others, int delay) {
     return static_cast<double>((began - ready).count()) / static_cast<double>(hardware::Processor::timeslice.count());
 }
 
-/// Returns the waits for delays of up to a period, in ascending order.
+/// Returns the results of wait_beside() for many delays of up to a timeslice period, in ascending order.
 std::vector<double> waits_beside(int others) {
     std::vector<double> periods;
-    for (int delay = 1; delay < 1720; delay += delay < 1680 ? 110 : 4) // 12 cycles each; a period has 20,480
+    for (int delay = 1; delay < 1720; delay += delay < 1680 ? 110 : 4) // a turn takes 12 cycles; a timeslice period has
+                                                                       // 20,480
         periods.push_back(wait_beside(others, delay));
     std::ranges::sort(periods);
     return periods;
@@ -172,7 +175,7 @@ std::vector<double> waits_beside(int others) {
 
 // Memory
 
-/// Reads the clock before and after many turns of a loop.
+/// This program reads the clock before and after many turns of a loop.
 constexpr const char* timed_loop = R"(
            ldc 0; sttimer; ldc 0; stl 1; ldc {}; stl 2; ldtimer; stl 3
      turn: {}
@@ -185,7 +188,7 @@ double cycles_for_each(int turns_of_loop, std::int64_t ticks) {
     return static_cast<double>(ticks * (hardware::Processor::low_tick / emulated_cycle)) / turns_of_loop;
 }
 
-/// Returns the cycles of the instructions, including the cycles of the loop around them.
+/// Returns the cycles that one turn of a loop takes: the cycles of the given instructions and of the loop itself.
 double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
     constexpr int turns_of_loop = 20'000;
     EmulatedProgram t800(fmt::format(timed_loop, turns_of_loop, body), 1, origin);
@@ -193,7 +196,8 @@ double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
     return cycles_for_each(turns_of_loop, t800.word(4));
 }
 
-/// Returns the rate at which `move` copies, in Mbyte/s, from the difference between the times of two blocks.
+/// Returns the rate at which `move` copies, in Mbyte/s. The rate is computed from the difference between the times for
+/// 1024 and 512 bytes.
 double move_rate(const char* source, const char* target) {
     const auto cycles = [&](int bytes) {
         return cycles_of_turn(fmt::format("{}; {}; ldc {}; move; ldc 0; ldc 0", source, target, bytes));
@@ -201,7 +205,7 @@ double move_rate(const char* source, const char* target) {
     return 512 * (emulated_hertz / 1e6) / (cycles(1024) - cycles(512));
 }
 
-/// Returns the cycles of fetching a word of code from outside of the chip.
+/// Returns the additional cycles for a word of code that is fetched from external memory.
 double cycles_of_fetching() {
     const std::string words = "ldc 0; ldc 1; ldc 2; ldc 3; ldc 4; ldc 5; ldc 6; ldc 7; "
                               "ldc 8; ldc 9; ldc 10; ldc 11; ldc 12; ldc 13; ldc 14; ldc 15; ";
@@ -213,8 +217,8 @@ double cycles_of_fetching() {
 
 // Communication
 
-/// P. Welch's COMMSTIME as INMOS's compiler makes it: four processes pass a number round, and one of them outputs in
-/// parallel.
+/// P. Welch's program COMMSTIME, as compiled by INMOS's compiler. Four processes pass a number round, and one of them
+/// makes two outputs in parallel.
 constexpr const char* commstime = R"(
            ldc 0; sttimer; mint; stl 3; mint; stl 5; mint; stl 4; mint; stl 2      -- channels a, b, c, d
            ldc delta - one; ldlp -8; startp
@@ -243,7 +247,7 @@ double cycles_of_commstime() {
     return cycles_for_each(10'000, t800.word(5));
 }
 
-/// Gives a transputer the bytes that boot it, over a link.
+/// Sends a transputer, over a link, the bytes that boot it.
 class BootBytes final : public transputer::ByteEnd {
 public:
     explicit BootBytes(const Assembly& program) : bytes_{static_cast<std::uint8_t>(program.bytes.size())} {
@@ -274,7 +278,8 @@ constexpr const char* in_parallel = R"(
    joined: ldc 0
 )";
 
-/// Outputs a message over link 1, inputs a message over it, or does both in parallel. Notes the ticks in word 5.
+/// Returns a program that outputs a message over link 1, inputs a message over link 1, or does both in parallel. In
+/// word 5 of its workspace, the program stores the ticks that the exchange takes.
 std::string exchange_of(bool outputs, bool inputs) {
     const std::string out = fmt::format("ldl 4; mint; ldnlp 1; ldc {}; out", message_bytes);
     const std::string in = fmt::format("ldl 4; mint; ldnlp 5; ldc {}; in", message_bytes);
@@ -298,7 +303,7 @@ public:
             node->has_link(link);
     }
 
-    /// Returns the rate of a direction, as the clock of the second transputer says.
+    /// Returns the rate of one direction, as measured by the clock of the second transputer.
     double kbytes_per_s() {
         simulation_.process("boots", [this] {
             for (BootBytes& each : boots_)
@@ -343,7 +348,7 @@ struct PublishedFigure {
     const char* source;
     const char* unit;
     double figure;
-    std::optional<double> tolerance; ///< none: the figure is only printed
+    std::optional<double> tolerance; ///< nullopt: the figure is printed but not judged
     Origin origin;
     int decimals;
     double (*measure)();
@@ -420,7 +425,8 @@ Comparison compare_figures(const char* name, std::span<const PublishedFigure> fi
     return result;
 }
 
-/// Latencies beside operations on reals have an upper bound, which compiled code does not reach.
+/// Judges the longest interrupt latency of a program that computes with reals. The published figure is an upper bound,
+/// which compiled code does not reach.
 Cell latency_beside_reals() {
     Cell cell = at_most(78, compared_cell("code: interrupt of floating point, longest", "measured", "cycles", 78,
                                           longest_latency_beside(operations_on_reals), 0));
@@ -460,8 +466,9 @@ Replay replay_emulated(const ReplayContext& context) {
     Comparison scheduler = compare_figures("the scheduler", scheduler_figures, context);
     scheduler.add(latency_beside_reals());
     Comparison memory = compare_figures("memory and processes", memory_figures, context);
-    memory.notes = "The loop of COMMSTIME is shorter than on a real T800: a switch between processes takes no time of "
-                   "its own\nhere, and only the process that comes second to a channel pays for the word.\n";
+    memory.notes = "The loop of COMMSTIME is shorter than on a real T800: here a switch between processes takes no "
+                   "time\nof its own, and the transfer of a word takes time only for the second of the two processes "
+                   "at a channel.\n";
     Replay replay{.comparisons = {scheduler, memory, compare_rates(context, fingerprint)}};
     replay.constant_table = constants_of_emulation();
     replay.fingerprint = fingerprint.value();

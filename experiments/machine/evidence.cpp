@@ -15,7 +15,7 @@ using hardware::Provenance;
 
 constexpr std::string_view machine = "machine", evidence = "evidence";
 
-/// Collects in one table every published figure with which the other experiments of the machine are compared.
+/// Collects in one table every published figure that the other experiments of the machine are compared with.
 class PublishedFigures {
 public:
     void add(const Replay& replay) {
@@ -33,14 +33,14 @@ public:
     std::uint64_t fingerprint() const { return fingerprint_.value(); }
 
 private:
-    Comparison all_{.name = "published figures",
-                    .notes =
-                        "outcome: the figure follows from rules and constants that were found elsewhere, and can "
-                        "fail\nconstant: the figure is one constant of the model, so it tests the program, not the "
-                        "model\ncalibrated, fitted: one constant, or several, were set so that the figure comes out\n",
-                    .against = "publ.",
-                    .judged = true,
-                    .names_origins = true};
+    Comparison all_{
+        .name = "published figures",
+        .notes = "outcome: the figure follows from rules and constants that come from other figures, so it "
+                 "can be wrong\nconstant: the figure is one constant of the model, so it tests the program, not the "
+                 "model\ncalibrated, fitted: one constant, or several, were set such that the model gives the figure\n",
+        .against = "publ.",
+        .judged = true,
+        .names_origins = true};
     std::vector<Constant> constants_;
     Fingerprint fingerprint_;
 };
@@ -49,7 +49,7 @@ Network network_of(const ReplayContext& context, const char* netlist) {
     return load_network(context.examples / netlist, {}, known_problems(context.seed), context.warn);
 }
 
-/// Returns the costs of the thesis's program, as Table E.1's netlist states them.
+/// Returns the costs of the thesis's program that the netlist of Table E.1 states.
 std::vector<Constant> of_the_thesis(const Network& cluster) {
     constexpr std::string_view group = "the thesis's program";
     const ProcessInstance& master = *std::ranges::find(cluster.processes, "master", &ProcessInstance::name);
@@ -102,7 +102,7 @@ Replay replay_evidence(const ReplayContext& context) {
 
 extern const Experiment evidence_experiment{
     .name = evidence,
-    .about = "every constant of time with its source, and every published figure beside the simulated one",
+    .about = "every constant of time with its source, and every published figure beside the simulated figure",
     .chapter = machine,
     .number = 100, // after all other experiments of the machine
     .run = replay_evidence,

@@ -10,12 +10,12 @@ namespace placedpar {
 
 namespace {
 
-/// A fit of half a round trip: a message of n words takes `start_us` + `word_us` n, in microseconds.
+/// A line fitted to half the time of a round trip: a message of n words takes `start_us` + `word_us` n microseconds.
 struct PingPong {
     double start_us = 0, word_us = 0;
 };
 
-/// Runs the ping-pong with one word and with a thousand.
+/// Runs the ping-pong with messages of one word and of a thousand words.
 class PingPongs {
 public:
     explicit PingPongs(const ReplayContext& context) : context_(context) {}
@@ -62,7 +62,7 @@ Replay replay_poznan(const ReplayContext& context) {
     comparison.add(cell("half a round trip, to start", 11.0, direct.start_us, 0.2, Origin::calibrated));
     comparison.add(cell("half a round trip, a word", 2.25, direct.word_us, 0.01 * 2.25, Origin::fitted));
     comparison.add(cell("a word through three C004", 4.30, switched.word_us, 0.01 * 4.30, Origin::fitted));
-    comparison.notes = "three switches between the slower pairs are inferred from their rate\n";
+    comparison.notes = "the number of switches between the slower pairs, three, is inferred from their rate\n";
     Replay replay{.comparisons = {comparison}};
     replay.constants =
         "   calibrated to the time to start: 201 cycles for a call of the toolset's ChanIn or ChanOut\n   The link's "

@@ -28,7 +28,7 @@ struct MovedBlock {
     WireForm wire_form() const { return WireForm(bytes); }
 };
 
-/// Simulations of one processor, one for each figure.
+/// Simulates one processor. Each function makes the simulations for one figure.
 class OneProcessor {
 public:
     explicit OneProcessor(const ReplayContext& context) : context_(context) {}
@@ -46,7 +46,7 @@ public:
         return bytes / (1e3 * in_milliseconds(run(simulation)));
     }
 
-    /// Returns the microseconds between two ticks of the clock, as read by a program.
+    /// Returns the time between two ticks of the clock in microseconds, as a program reads them.
     double tick(Priority priority) {
         Simulation simulation;
         Processor& t800 = simulation.add<Processor>("t800", hertz);
@@ -58,8 +58,8 @@ public:
         return 1e3 * in_milliseconds(long_time) / static_cast<double>(ticks);
     }
 
-    /// Returns the shortest and the longest turn of a computing process beside another computing process, in timeslice
-    /// periods, over many starting times. A turn lasts from getting the processor to losing it.
+    /// Returns the shortest and the longest turn of a process that computes, for many times at which another process
+    /// becomes ready. The turn lasts until the other process has the processor. The unit is the timeslice period.
     std::pair<double, double> shortest_and_longest_turn() {
         std::vector<double> periods;
         for (std::int64_t start = 1; start < 20'480; start += 640)
@@ -91,7 +91,8 @@ public:
         return in_periods(longest);
     }
 
-    /// Returns the longest interrupt latency, in cycles, if the interrupted process has instructions of this length.
+    /// Returns the longest interrupt latency, in cycles, if the instructions of the interrupted process take this many
+    /// cycles.
     std::int64_t longest_latency(Cycles instruction) {
         std::int64_t longest = 0;
         for (std::int64_t moment = 10'000; moment < 10'060; ++moment) {
@@ -174,7 +175,8 @@ constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
 constexpr const char* waits = "databook, 1.3: 2n - 2 periods with n - 1 others";
 constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 
-/// Compares the extreme turns and waits with the databook's bounds, which the extremes must nearly reach.
+/// Compares the shortest and the longest turns and waits with the databook's bounds. The measured extremes must nearly
+/// reach these bounds.
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(

@@ -29,7 +29,7 @@ using hardware::Router;
 using hardware::RouterCosts;
 using hardware::RouterLink;
 
-/// A message of the farm's protocol. occam outputs each part of `out ! tag; x; y` as its own message.
+/// A message of the farm's protocol. occam outputs each part of `out ! tag; x; y` as a separate message.
 struct FarmWords {
     enum class Tag : std::int8_t { stop, render, patch, note, data } tag = Tag::data;
     std::uint32_t words = 1;
@@ -51,11 +51,11 @@ void take_words(FarmChannel& in, int messages) {
         in.in().input();
 }
 
-/// A patch of 8 x 8 pixels is sent row by row, one word for each pixel, after its position and size. A task is only a
-/// position.
+/// A patch of 8 x 8 pixels is sent as its position and size, followed by the pixels, row by row, with one word for each
+/// pixel. A task consists only of a position.
 constexpr int patch_edge = 8, patch_head = 3, task_head = 2, patches_of_image = 256 / patch_edge * 256 / patch_edge;
 
-/// Passes on a patch whose tag has been taken.
+/// Passes on a patch whose tag has already been input.
 void pass_patch(FarmChannel& in, FarmChannel& out) {
     take_words(in, patch_head);
     send_tagged(out, FarmTag::patch, patch_head);
@@ -63,7 +63,7 @@ void pass_patch(FarmChannel& in, FarmChannel& out) {
         out.out().output(in.in().input());
 }
 
-/// Passes patches on until the tag `stop`, which is passed on, too.
+/// Passes patches on until the tag `stop` arrives, and passes this tag on, too.
 void buffer_patches(FarmChannel& in, FarmChannel& out) {
     while (take_tag(in) == FarmTag::patch)
         pass_patch(in, out);
@@ -75,11 +75,11 @@ struct RayFarmSettings {
     RouterCosts router;
 };
 
-/// The farm on its machine: a line of workers on a tree of links. Neighbours in the line may be twenty links apart, so
-/// all their messages travel in packets.
+/// The farm on its machine. The processes form a line of workers, but the links form a tree. Neighbours in the line may
+/// be twenty links apart, so all their messages are sent in packets.
 class RayFarm {
 public:
-    /// Calibrated to the published times of 11 workers and of 71.
+    /// Both costs are calibrated to the published times with 11 workers and with 71 workers.
     static constexpr Cycles patch{138'500'000}, packet{4500};
 
     explicit RayFarm(const RayFarmSettings& settings) : settings_(settings) {
@@ -89,7 +89,8 @@ public:
         build_control(*from_before, *to_before);
         for (std::size_t node = 2; node < settings.workers + 2; ++node) {
             const bool last = node == settings.workers + 1;
-            FarmChannel& onward = last ? soft() : channel(node, node + 1); // the last worker sends the end to itself
+            FarmChannel& onward = last ? soft() : channel(node, node + 1); // the last worker sends the tag `stop` to
+                                                                           // itself
             FarmChannel& back = last ? onward : channel(node + 1, node);
             build_worker(*processors_[node], {*from_before, *to_before, onward, back});
             from_before = &onward;
@@ -108,9 +109,9 @@ private:
         FarmChannel &from_before, &to_before, &onward, &back;
     };
 
-    /// Returns the parent of a processor in the tree: the first of its neighbours with lower numbers, in the order of
-    /// the list of links of 2 May 2022. The program that made the network's description has used one link per processor
-    /// since 2023.
+    /// Returns the parent of a processor in the tree: the first neighbour with a lower number, in the order of the list
+    /// of links of 2 May 2022. Since 2023, the program that makes the network's description has used one link per
+    /// processor.
     std::size_t parent(std::size_t node) const {
         static constexpr std::array<std::uint8_t, 13> two_cards{0, 0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 6};
         static constexpr std::array<std::uint8_t, 73> rack{
@@ -158,8 +159,8 @@ private:
         return made;
     }
 
-    /// Adds the controlling processes. These processes deal out tasks, at most two unfinished tasks for each worker,
-    /// and pass the results on.
+    /// Adds the controlling processes, which deal out tasks and pass the results on. Each worker has at most two
+    /// unfinished tasks.
     void build_control(FarmChannel& to_workers, FarmChannel& from_workers) {
         FarmChannel &tasks = soft(), &dealt = soft(), &done = soft(), &graphics = channel(1, 0);
         Processor* control = processors_[1];
@@ -186,7 +187,7 @@ private:
         simulation_.process(
             "frame", [this, &graphics] { take_image(graphics); }, processors_[0], Priority::high);
     }
-    /// Sends a text for the screen: its length, then a word for each character.
+    /// Sends a text for the screen: first the length of the text, then a word for each character.
     static void write(FarmChannel& graphics, std::uint32_t characters) {
         send_tagged(graphics, FarmTag::note, 1);
         graphics.out().output({FarmTag::data, characters});
@@ -222,7 +223,8 @@ private:
         done_ = now();
     }
 
-    /// Adds a worker: four processes of high priority that pass on tasks and patches, and a renderer of low priority.
+    /// Adds a worker, which consists of four processes of high priority that pass on tasks and patches, and of a
+    /// renderer of low priority.
     void build_worker(Processor& processor, const WorkerChannels& at) {
         FarmChannel &feed = soft(), &idle = soft(), &own = soft(), &mixed_own = soft(), &mixed_back = soft();
         auto add = [&](const char* name, Process::Body body, Priority priority) {
@@ -239,7 +241,7 @@ private:
         add(
             " renderer", [&feed, &own, &idle] { render(feed, own, idle); }, Priority::low);
     }
-    /// Keeps one task besides the task being rendered, and passes other tasks on.
+    /// Keeps one task in addition to the task that is being rendered, and passes other tasks on.
     static void pass_tasks(FarmChannel& from_before, FarmChannel& onward, FarmChannel& feed, FarmChannel& idle) {
         int held = 0; // tasks kept, including the task being rendered
         bool open = true;
@@ -280,7 +282,7 @@ private:
         send_tagged(out, FarmTag::stop, 0);
     }
     static void render(FarmChannel& feed, FarmChannel& own, FarmChannel& idle) {
-        constexpr Cycles loop{100}; // ours: from one descheduling point to the next
+        constexpr Cycles loop{100}; // chosen here: cycles from one descheduling point to the next
         while (take_tag(feed) == FarmTag::render) {
             take_words(feed, task_head);
             compute(patch, {.between_points = loop});

@@ -65,11 +65,15 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
             checked.included.push_back(file->path());
     checked.summary =
         fmt::format("{}: no errors; {}\n", path.string(),
-                    program.main ? fmt::format("PROC {} would be run", program.main->name) : "it has no procedure");
+                    !program.main ? "the file has no procedure"
+                    : can_be_run(*program.main)
+                        ? fmt::format("PROC {} would be run", program.main->name)
+                        : fmt::format("only a netlist can use PROC {}, because of its parameters", program.main->name));
     return checked;
 }
 
-/// Returns the first run of a study for which the condition holds; nothing if it is not among the first runs.
+/// Returns the first run of a study for which the condition holds; nothing if the condition holds for none of the first
+/// runs.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);

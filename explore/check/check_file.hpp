@@ -12,13 +12,13 @@
 
 namespace placedpar {
 
-/// Returns whether the name of a file is that of a study.
+/// Returns whether the file is a study, by its name.
 bool is_study(const std::filesystem::path&);
 
 /// The options with which a file is checked. Options for other languages have no effect.
 struct CheckOptions {
     Overrides set = {};                ///< settings of a netlist
-    ReadOptions read = {};             ///< options for reading a netlist; a program uses only the folders
+    ReadOptions read = {};             ///< options for reading a netlist; for a program only the folders are used
     occam::SourceOptions program = {}; ///< the checks of a program
 };
 
@@ -27,7 +27,8 @@ struct CheckedFile {
     std::vector<Diagnostic> diagnostics;    ///< at most 20 errors
     std::string not_shown = "";             ///< a line that says how many errors are not in `diagnostics`; "" if none
     std::string summary = "";               ///< a line that summarises the contents; "" if the file has an error
-    std::vector<std::string> included = {}; ///< paths of the files that it includes, as far as they are known
+    std::vector<std::string> included = {}; ///< paths of the files that the checked file includes, as far as they are
+                                            ///< known
     NamesOf names = NamesOf::occam;         ///< language of the names in the diagnostics
 
     bool failed() const { return has_errors(diagnostics); }
@@ -35,12 +36,13 @@ struct CheckedFile {
 
 /// Reads and checks a netlist, a configuration, a program in occam or a study, according to the file's name; "-" is a
 /// netlist from standard input. For a study, also checks the netlist with the settings of the first run. If a text in
-/// memory stands in for a file (text/texts_in_memory.hpp), reads this text. Does not throw for an error of the file.
+/// memory replaces a file (text/texts_in_memory.hpp), reads this text. Does not throw for an error of the file.
 CheckedFile check_file(const std::filesystem::path&, const Catalogue&, const CheckOptions&);
 
 /// Returns {"severity", "file", "line", "column", "end_line", "end_column", "message", "hint", "also"}. Lines and
 /// columns count from 1, columns in bytes. The end is the column after the last character. A fault of a whole file has
-/// no line. "also" lists related places, such as the first of two declarations. These have no severity and no hint.
+/// no line. "also" lists related places, such as the first of two declarations. Related places have no severity and no
+/// hint.
 boost::json::object diagnostic_json(const Diagnostic&, NamesOf);
 /// Returns {"file", "language", "valid", "summary", "diagnostics", "not_shown"}.
 boost::json::object checked_json(const std::filesystem::path&, const CheckedFile&);

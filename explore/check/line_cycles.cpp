@@ -16,8 +16,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the declaration of a variable or channel of a type, which is passed as an argument. An array of unknown size
-/// gets one element.
+/// Returns the declaration of a variable or channel of this type, for use as an argument. An array of unknown size is
+/// declared with one element.
 std::string declaration_of(const occam::Type& type, const std::string& name) {
     std::string text = occam::name_of(type), dimensions;
     for (; text.starts_with("[]"); text.erase(0, 2))

@@ -123,7 +123,7 @@ private:
                 result_.following.insert(each.section);
     }
 
-    /// Returns A with the vals of B; A itself if it is refused with them.
+    /// Returns A with the vals of B; A itself if A is refused with these vals.
     Network read_with_vals() const {
         try {
             return load_silently(a_.parsed, with(vals_));
@@ -143,7 +143,8 @@ private:
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
 
-    /// Returns A with one section of B. Elements that A has keep their settings, which are differences of their own.
+    /// Returns A with one section of B. Elements that A has keep their settings, because settings are compared
+    /// separately.
     Network with_section(Section section) const {
         const Network swapped = load_silently(
             ParsedNetlist::of_text(with_section_of(result_.a, result_.b, section), result_.a.source_path), {});
@@ -175,7 +176,8 @@ private:
 
     void try_changes() {
         std::vector<Attempt> attempts;
-        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point into it
+        result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // the attempts have pointers to
+                                                                                       // its elements
         for (const SettingDifference& each : result_.settings)
             if (each.elements.empty())
                 add(attempts, what_of(each), each.set,

@@ -24,17 +24,18 @@ struct ComparedRun {
     std::optional<std::uint64_t> shuffle = {};
 };
 
-/// Reads a run from the report that `placedpar run --json` wrote. Throws UserError if the file is not such a report.
-/// If the netlist has changed since, calls `warn` with a sentence that says so.
+/// Reads a run from the report that `placedpar run --json` wrote. Throws UserError if the file is not such a report. If
+/// the netlist has changed since the report was written, calls `warn` with a sentence about it.
 ComparedRun run_of_report(const std::string& path, const std::function<void(const std::string&)>& warn);
 
 /// Reads the network of a run. Throws RefusedInput.
 Network load_compared(const ComparedRun&);
 
-/// Network A with one of the differences from B.
+/// A run of network A, after A was made equal to B in one of the differences.
 struct OneChange {
     std::string what;   ///< "clock of t[0]: 20000000 in A, 10000000 in B"
-    Overrides set = {}; ///< settings that make the change; empty if the structure or the run's settings change
+    Overrides set = {}; ///< settings that make the change; empty if the change is in the structure or in the run's
+                        ///< settings
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
@@ -48,8 +49,8 @@ struct NetlistComparison {
     RunReport report_a, report_b;
     std::vector<SettingDifference> settings; ///< vals, and settings that differ although the vals have been made equal
     std::vector<StructureDifference> structure;
-    std::set<StructureDifference::Section> following; ///< sections that are equal once the vals are equal
-    std::vector<OneChange> alone;                     ///< A with one difference each
+    std::set<StructureDifference::Section> following; ///< sections that differ only because the vals differ
+    std::vector<OneChange> alone;                     ///< runs of A, each with one difference
     std::optional<OneChange> together; ///< A with all settings of B; empty if fewer than two settings differ
 
     bool both_completed() const;
@@ -57,8 +58,8 @@ struct NetlistComparison {
 };
 
 /// Compares two netlists and their runs. If both runs complete, applies each difference separately to A, and runs the
-/// result. Throws RefusedInput if A or B is refused. `progress` is called with the number of ended runs and of all
-/// runs.
+/// result. Throws RefusedInput if A or B is refused. `progress` is called with the number of ended runs and the number
+/// of all runs.
 NetlistComparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Interruption&,
                                const std::function<void(std::size_t, std::size_t)>& progress);
 

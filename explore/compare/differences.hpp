@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// A setting that has one value in network A and another in network B: a val, or an attribute or a parameter of some
-/// elements.
+/// A setting that has one value in network A and another in network B: a constant (`val`) of the netlist, or an
+/// attribute or a parameter of some elements.
 struct SettingDifference {
     std::string name;                  ///< "clock"
     std::string a, b;                  ///< values as the netlist language writes them
@@ -28,7 +28,7 @@ struct StructureDifference {
 const char* name_of(StructureDifference::Section);
 
 /// Returns the differences in attributes of nodes and wires and in parameters of processes. Elements of both networks
-/// are compared by name. Elements that have the same value in A and the same value in B are one difference.
+/// are compared by name. Elements share one difference if their values in A are equal and their values in B are equal.
 std::vector<SettingDifference> setting_differences(const Network& a, const Network& b);
 
 /// Returns a difference for each section that differs.

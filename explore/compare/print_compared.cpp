@@ -86,7 +86,7 @@ std::string print_verdict(const NetlistComparison& compared, Time sum) {
         return "The differences add up: none changes the effect of another.\n";
     return fmt::format("{:+.6f} ms remain: {}.\n", in_milliseconds(rest),
                        all_ran ? "the differences interact, and this part appears only if they are combined"
-                               : "the effect of differences that could not be applied alone, and of interactions");
+                               : "they come from interactions, and from differences that could not be applied alone");
 }
 
 std::string print_changes(const NetlistComparison& compared) {

@@ -23,7 +23,7 @@ struct ChangedRuns {
     HostServices host = {};                                 ///< host of the changed runs
     std::size_t at_once = count_cores();                    ///< number of runs at a time
 };
-/// Tries out the changes worth trying and adds the answers, or says in `not_tried` why none can be compared.
+/// Tries the changes that are worth trying and adds the answers, or says in `not_tried` why no change can be compared.
 void add_answers(Explanation&, const Network&, const ChangedRuns&, const Interruption&);
 
 } // namespace placedpar

@@ -111,8 +111,8 @@ private:
         }
     }
 
-    /// Returns whether the change is a small or the greatest one. A run of many processors takes long, so only the
-    /// change between them is tried.
+    /// Returns whether the change is the smallest or the greatest of three. Runs of many processors take long, so only
+    /// the change between these two is tried.
     static bool is_extreme(const Change& change, const Factor& factor) {
         return change.change == factor.faster || change.change == factor.less;
     }
@@ -299,7 +299,7 @@ private:
     }
 
     /// Adds the change of a constant: by its name alone if it is equal everywhere, otherwise for each node or process.
-    /// A reduction that rounds to no change is left out, such as a tenth of 4 cycles.
+    /// A reduction that rounds to no change is left out, such as a tenth less than 4 cycles.
     void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
         const std::int64_t one = costs.begin()->second;
         const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });

@@ -20,16 +20,16 @@ struct Change {
     Overrides set;
 };
 
-/// Returns what the netlist declares with these settings, even if the netlist is refused with them.
+/// Returns what the netlist declares with these settings, even if these settings make the netlist invalid.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
 /// Returns the changes worth trying. Processors, links and buses become 10 % faster, twice as fast, and as fast as a
 /// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Each change applies to all parts of a kind, to the processors of an
 /// array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip memory. Constants
-/// in cycles or bytes are reduced by 10 %, halved, and set to 0. This is also done to the cycles of single processes:
-/// the ten busiest that share a processor. Vals that determine the number of processes or processors are raised by one.
-/// In a network of more than 256 nodes, only the middle one of such three changes is tried, and only for three single
-/// parts of each kind.
+/// in cycles or bytes are reduced by 10 %, halved, and set to 0. The cycles of single processes are reduced in the same
+/// way, for the ten busiest processes that share a processor with others. Vals that determine the number of processes
+/// or processors are raised by one. In a network of more than 256 nodes, only the second of such three changes is
+/// tried. Changes of single parts are then tried for three parts of each kind.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

@@ -117,7 +117,7 @@ std::string path_heading(const std::string& title) {
 }
 
 std::string why_not_kept() {
-    return fmt::format("it has more than {} parts; end the run earlier with --until, or make it shorter with --set",
+    return fmt::format("it has more than {} parts; end the run earlier with --until, or shorten it with --set",
                        most_path_points);
 }
 
@@ -191,7 +191,7 @@ std::string print_answers(const Explanation& explanation) {
     return out + remark_on_slower(slower);
 }
 
-/// Returns whether the run gets shorter by at least .1 %.
+/// Returns whether the change shortens the run by at least 0.1 %.
 bool gains(const Answer& answer, Time whole) {
     return answer.completed() && answer.time < whole && differs(answer, whole);
 }
@@ -208,7 +208,7 @@ std::string print_kinds_of_time(const Explanation& explanation) {
         if (share.time >= whole / 1000)
             out += fmt::format("{}{} {}", out.empty() ? "" : ", ", name_on_path(share.activity),
                                percent(share.time, whole));
-    return out.empty() ? "" : fmt::format("  the critical path is {}\n", out);
+    return out.empty() ? "" : fmt::format("  on the critical path: {}\n", out);
 }
 
 /// The groups of changes. The verdict names the best change of each group.

@@ -21,12 +21,12 @@ struct Answer {
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< if the run takes at least .1 % longer: the activity whose time on the path grew most
+    std::string why = "";     ///< if the run takes at least 0.1 % longer: the activity whose time on the path grew most
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };
 
-/// Returns whether the run did not complete, or took at least .1 % more or less than the unchanged run.
+/// Returns whether the run did not complete, or took at least 0.1 % more or less time than the unchanged run.
 bool differs(const Answer&, Time unchanged);
 
 struct WhatIfs {

@@ -166,7 +166,7 @@ public:
         }
         const DotWord kind = words_.take();
         if (!kind.is_keyword("graph") && !kind.is_keyword("digraph"))
-            words_.refuse("expected \"graph\" or \"digraph\"", "the language of Graphviz");
+            words_.refuse("expected \"graph\" or \"digraph\"", "the file must be in the language of Graphviz");
         builder_.graph().directed = kind.is_keyword("digraph");
         if (!words_.peek().is_mark)
             words_.take();
@@ -174,7 +174,7 @@ public:
             words_.refuse("expected \"{\" before the statements of the graph");
         read_statements({});
         if (!words_.peek().is_end())
-            words_.refuse("the file continues after the end of the graph", "one file has one graph");
+            words_.refuse("the file continues after the end of the graph", "a file can have only one graph");
         return std::move(builder_.graph());
     }
 

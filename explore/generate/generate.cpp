@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 
 namespace placedpar::generate {
 
@@ -24,7 +25,7 @@ namespace {
 void require_port(const ProcessKind& kind, const std::string& port, Direction direction, const char* option) {
     const PortDescription* found = kind.port(port);
     if (!found || found->direction != direction)
-        throw UserError(fmt::format("{} has no {} \"{}\" to connect with its neighbours; name the port with {} "
+        throw UserError(fmt::format("{} has no {} \"{}\" for connections with neighbours; name the port with {} "
                                     "PORT",
                                     kind.name, direction == Direction::output ? "output" : "input", port, option));
 }
@@ -50,19 +51,36 @@ Job job_of_kind(const TopologyRequest& request, const Catalogue& catalogue, cons
                         has_problem(*kind) ? problem.each : "");
 }
 
+/// Throws UserError if the request names ports, but none of the kind of one process for each processor.
+void refuse_ports(const TopologyRequest& request) {
+    const TopologyRequest usual;
+    for (auto [option, said, unsaid] :
+         {std::tuple("--output", &request.output, &usual.output), std::tuple("--input", &request.input, &usual.input)})
+        if (*said != *unsaid)
+            throw UserError(
+                fmt::format("{} {} has no effect: it names a port of the kind that --job KIND places on each "
+                            "processor, but the job is {}",
+                            option, *said, request.job));
+}
+
+Job job_of_tasks(const TopologyRequest& request, const Topology& topology) {
+    if (!request.problem.empty())
+        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which do not search",
+                                    request.problem, request.job));
+    return tasks_of_file(request.job, topology.nodes, topology);
+}
+
 Job job_of(const TopologyRequest& request, const Catalogue& catalogue, const Topology& topology,
            const RecordedProblem* problem) {
     const ProblemStatements statements = statements_of(request.problem, problem);
+    const bool is_file = lower_case(request.job).ends_with(".csv");
+    if (request.job == "farm" || request.job == "islands" || is_file)
+        refuse_ports(request);
     if (request.job == "farm")
         return farm(topology, statements);
     if (request.job == "islands")
         return request.topology == "figure-e2" ? islands_with_slaves(statements) : islands(topology, statements);
-    if (lower_case(request.job).ends_with(".csv") && !request.problem.empty())
-        throw UserError(fmt::format("--problem {} has no effect on the tasks of {}, which search for nothing",
-                                    request.problem, request.job));
-    if (lower_case(request.job).ends_with(".csv"))
-        return tasks_of_file(request.job, topology.nodes, topology);
-    return job_of_kind(request, catalogue, topology, statements);
+    return is_file ? job_of_tasks(request, topology) : job_of_kind(request, catalogue, topology, statements);
 }
 
 std::string host_on_workstation(const TopologyRequest& request, const Topology& topology) {
@@ -128,11 +146,11 @@ std::string command_of(const TopologyRequest& request) {
     return request.problem.empty() ? text : text + " --problem " + shell_word(request.problem);
 }
 
-/// Throws UserError if a name that the user typed cannot stand in a comment.
+/// Throws UserError if a name that the user typed cannot be written in a comment.
 void require_comment(const std::string& comment) {
     const std::string_view inside = std::string_view(comment).substr(0, comment.rfind("*/"));
     if (inside.find("*/") != inside.npos || has_errors(check_source("the netlist", comment).problems))
-        throw UserError("the names of files and of the problem stand in a comment of the netlist, so they cannot have "
+        throw UserError("names of files and problems are written in a comment of the netlist, so they cannot contain "
                         "\"*/\" or control characters; rename the file");
 }
 

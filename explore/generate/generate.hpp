@@ -18,9 +18,9 @@ struct Generated {
     Distances distances;
 };
 
-/// Throws UserError if the topology or job is unknown, if the topology does not have this size, or if a processor would
-/// need more links than a transputer has. `problem` is the problem that TopologyRequest::problem names; null if it is
-/// "".
+/// Throws UserError if the topology or job is unknown, if the topology cannot have this size, or if a processor would
+/// need more links than a transputer has. `problem` is the problem that TopologyRequest::problem names; null if this
+/// name is "".
 Generated generate(const TopologyRequest&, const Catalogue&, const RecordedProblem* problem = nullptr);
 
 } // namespace placedpar::generate

@@ -29,7 +29,7 @@ void GraphBuilder::add_edge(GraphEdge edge) {
     if (edge.from == edge.to)
         refuse_graph(file_, edge.line,
                      fmt::format("the edge leads from \"{0}\" to \"{0}\"", graph_.nodes[edge.from].name),
-                     "a wire joins two processors");
+                     "remove the edge: a wire joins two different processors");
     graph_.edges.push_back(std::move(edge));
 }
 
@@ -39,7 +39,7 @@ void GraphBuilder::count_copy(const GraphAttributes& attributes, std::size_t lin
     if (attributes_ > most_graph_attributes)
         refuse_graph(file_, line,
                      fmt::format("the defaults give the graph more than {} attributes", most_graph_attributes),
-                     "a long attribute counts once for each hundred bytes");
+                     "use fewer or shorter defaults; a long attribute counts once for each hundred bytes");
 }
 
 void GraphBuilder::require_room(std::size_t line) const {

@@ -30,18 +30,19 @@ struct Graph {
     std::vector<GraphEdge> edges;
 };
 
-/// These limits keep hostile input from costing time; a generated machine is smaller.
+/// These limits bound the time that hostile input can take; generated machines stay below them.
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
-inline constexpr std::size_t deepest_graph = 64;            ///< elements, brackets or subgraphs inside each other
-/// Includes all copies of defaults; an attribute counts once for each hundred bytes of its length.
+inline constexpr std::size_t deepest_graph = 64;            ///< how deeply elements, brackets or subgraphs may be
+                                                            ///< nested
+/// Copies of default attributes count, too. A long attribute counts once for each hundred bytes.
 inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
-// These functions read a graph. Throw RefusedText, which shows the place of the error.
+// These functions read a graph. They throw RefusedText, which shows the place of the error.
 
-/// Reads GraphML, as networkx and yEd write it. Data of nodes and edges are attributes. Nodes inside a group count; the
-/// group itself does not.
+/// Reads GraphML, as networkx and yEd write it. Data of nodes and edges become attributes. Nodes inside a group become
+/// nodes; the group itself does not.
 Graph read_graphml(const std::shared_ptr<const SourceFile>&);
-/// Reads the language of Graphviz. Ports, and attributes of graphs, have no effect.
+/// Reads the language of Graphviz. Ports, and attributes of whole graphs, are ignored.
 Graph read_dot(const std::shared_ptr<const SourceFile>&);
 
 /// Throws RefusedText.

@@ -41,7 +41,7 @@ void require_equal(const GraphEdge& edge, const GraphEdge& opposite, const std::
             refuse_graph(file, edge.line,
                          fmt::format("{} is {} here, but {} for the edge in the opposite direction, in line {}", name,
                                      here->second, there->second, opposite.line),
-                         "both edges are one wire");
+                         "give both edges the same value: they become one wire");
     }
 }
 
@@ -96,14 +96,14 @@ void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& 
         }
     if (count > 0)
         refuse_graph(file, line,
-                     fmt::format("{} of more than {} edges: {}{}",
-                                 count == 1 ? "a node" : fmt::format("{} nodes", count), most, fmt::join(nodes, "; "),
-                                 count > nodes.size() ? "; ..." : ""),
+                     fmt::format("{} more than {} edges: {}{}",
+                                 count == 1 ? "a node has" : fmt::format("{} nodes have", count), most,
+                                 fmt::join(nodes, "; "), count > nodes.size() ? "; ..." : ""),
                      hint);
 }
 
-/// Builds each node of more than four edges from two processors, which a wire joins. The first processor gets three
-/// edges, the second processor the others.
+/// Builds each node of more than four edges from two processors, which a wire joins. The first processor has three
+/// edges of the node, the second processor the others.
 void split_nodes(Graph& graph) {
     constexpr std::size_t edges_of_first = links_of_a_node - 1;
     const auto edges = edges_by_node(graph);
@@ -133,7 +133,7 @@ std::optional<std::string> number_text(const std::string& text) {
     return std::floor(*number) == *number ? fmt::format("{:.0f}", *number) : fmt::format("{}", *number);
 }
 
-/// Returns a text that can stand in a comment.
+/// Returns the text in a form that can be written in a comment.
 std::string for_comment(std::string text) {
     std::ranges::replace_if(
         text, [](char each) { return each == '*' || each == '/' || static_cast<unsigned char>(each) < ' '; }, '_');
@@ -194,7 +194,7 @@ private:
         refuse_graph(file_, node.line,
                      fmt::format("the node \"{}\" has the type \"{}\", which is not a transputer of four links",
                                  node.name, type),
-                     "a type such as T800 or T414; rename the attribute if it does not state the transputer");
+                     "give a type such as T800 or T414; rename the attribute if it does not state the transputer");
     }
 
     std::string entries_of(const GraphAttributes& attributes, const std::map<std::string, std::string>& known,
@@ -210,7 +210,7 @@ private:
             const auto number = number_text(value);
             if (!number)
                 refuse_graph(file_, line, fmt::format("{} of {}: \"{}\" is not a number", name, owner, value),
-                             "a number such as 20000000 or 20M");
+                             "give a number such as 20000000 or 20M");
             entries.push_back(found->second + " = " + *number);
         }
         return entries.empty() ? "" : fmt::format(" ({})", fmt::join(entries, ", "));
@@ -245,7 +245,8 @@ private:
             const std::string owner =
                 fmt::format("the edge from {} to {}", graph_.nodes[edge.from].name, graph_.nodes[edge.to].name);
             if (edge.attributes.contains("speed") && edge.attributes.contains("linkspeed"))
-                refuse_graph(file_, edge.line, owner + " has both \"speed\" and \"linkspeed\"", "give it one of them");
+                refuse_graph(file_, edge.line, owner + " has both \"speed\" and \"linkspeed\"",
+                             "leave one of them out");
             Wires wire{.loops = {}, .from = end_at(edge.from), .to = end_at(edge.to)};
             if (const std::string entries = entries_of(edge.attributes, known, owner, edge.line); !entries.empty()) {
                 wire.name = fmt::format("wire[{}]", named++);
@@ -294,12 +295,12 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
     const auto file = load_graph_text(request.topology);
     Graph graph = ending_of(request.topology) == ".graphml" ? read_graphml(file) : read_dot(file);
     if (graph.nodes.empty())
-        refuse_graph(file, 0, "the graph has no nodes", "each node becomes a processor");
+        refuse_graph(file, 0, "the graph has no nodes", "add nodes; each node becomes a processor");
     if (graph.directed)
         join_directions(graph, file);
     if (request.split) {
         require_edges(graph, file, 2 * (links_of_a_node - 1),
-                      "two processors have six links besides the wire between them");
+                      "a node can have at most six edges: two processors have six links besides the wire between them");
         split_nodes(graph);
     }
     require_edges(graph, file, links_of_a_node,

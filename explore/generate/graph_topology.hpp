@@ -8,7 +8,7 @@ class Catalogue; // netlist/kinds/catalogue.hpp
 
 namespace placedpar::generate {
 
-/// Returns whether this names a file with a graph: .graphml, .dot or .gv.
+/// Returns whether the topology is the name of a file with a graph: .graphml, .dot or .gv.
 bool is_graph_file(const std::string& topology);
 
 /// Reads the file that the request names. Each node becomes a processor, each edge a wire; two edges of a directed

@@ -22,7 +22,7 @@ public:
     Graph read() {
         read_xml(file_, *this);
         if (!has_graph_)
-            refuse_graph(file_, 0, "the file has no element <graph>", "GraphML as networkx or yEd writes it");
+            refuse_graph(file_, 0, "the file has no element <graph>", "expected GraphML as networkx or yEd writes it");
         const GraphAttributes of_edges = defaults_of("edge"), of_nodes = defaults_of("node");
         for (Element& edge : edges_) {
             add_defaults(edge.attributes, of_edges, edge.line);
@@ -65,7 +65,8 @@ private:
         else if (tag.name == "graph")
             begin_graph(tag);
         else if (tag.name == "hyperedge")
-            refuse_graph(file_, tag.line, "the graph has a <hyperedge>", "a wire joins two processors");
+            refuse_graph(file_, tag.line, "the graph has a <hyperedge>",
+                         "replace it by edges; a wire joins two processors");
         else if (tag.name == "node" || tag.name == "edge")
             open_.push_back({tag.attributes, tag.line});
         else if (tag.name == "data")
@@ -146,7 +147,7 @@ private:
     std::shared_ptr<const SourceFile> file_;
     GraphBuilder builder_;
     std::map<std::string, Key> keys_;
-    Key* key_ = nullptr; ///< the latest
+    Key* key_ = nullptr; ///< the <key> read last
     std::vector<std::string> inside_;
     std::vector<Element> open_, edges_;
     std::string text_, data_key_;

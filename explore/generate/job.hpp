@@ -37,7 +37,7 @@ Job islands(const Topology&, const ProblemStatements&);
 /// In the topology `figure-e2`, places an island on the head of each chain, and its slaves along the chain.
 Job islands_with_slaves(const ProblemStatements&);
 /// Places a process of `kind` on every processor, and connects it with its neighbours by the port arrays named by
-/// `output` and `input`. `parameters` are those of each process; "" for none.
+/// `output` and `input`. `parameters` are the parameters that each process has; "" for none.
 Job processes_of(const std::string& kind, bool has_host, const std::string& output, const std::string& input,
                  const Topology&, const ProblemStatements&, const std::string& parameters);
 

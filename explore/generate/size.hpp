@@ -24,14 +24,14 @@ struct Box {
     std::size_t planes = 0, rows = 0, columns = 0;
 };
 bool has_three_dimensions(const TopologyRequest&);
-/// REQUIRES: has_three_dimensions(). Throws UserError unless each number is at least 1, and the processors are at most
-/// `most_processors`.
+/// REQUIRES: has_three_dimensions(). Throws UserError unless each number is at least 1, and the number of processors is
+/// at most `most_processors`.
 Box box_of(const TopologyRequest&);
 
-/// Returns the product of the numbers of the size.
+/// Returns the product of the numbers that --size gives.
 std::size_t product_of_size(const TopologyRequest&);
 
-/// Throws UserError with the text "size 7: " and the reason.
+/// Throws UserError with a text such as "ring of size 7: " and the reason.
 [[noreturn]] void refuse_size(const TopologyRequest&, const std::string& why);
 
 } // namespace placedpar::generate

@@ -83,13 +83,13 @@ private:
     void add_name(const TextRow& row, const TextCell& cell) {
         constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
         if (cell.text.empty() || cell.text.size() > 60 || cell.text.find_first_not_of(allowed) != std::string::npos)
-            fault(row, cell, fmt::format("\"{}\" cannot name a task", cell.text),
+            fault(row, cell, fmt::format("\"{}\" cannot be the name of a task", cell.text),
                   "a name has 1 to 60 letters, digits and underscores");
         if (!numbers_.emplace(cell.text, numbers_.size()).second)
             fault(row, cell, fmt::format("the task \"{}\" is listed twice", cell.text), "give each task its own name");
     }
 
-    /// Returns the index of a column; the number of columns if there is none of this name.
+    /// Returns the index of a column; the number of columns if no column has this name.
     std::size_t column(std::string_view name) const {
         const auto& cells = table_.header.cells;
         return static_cast<std::size_t>(std::ranges::find(cells, name, &TextCell::text) - cells.begin());
@@ -109,7 +109,7 @@ private:
         const TextCell& cycles = row.cells[cycles_];
         if (const auto number = parse_number<std::uint64_t>(cycles.text); !number || *number > 1'000'000'000'000)
             fault(row, cycles, fmt::format("\"{}\" is not a number of cycles", cycles.text),
-                  "a whole number up to 1e12");
+                  "give a whole number up to 1e12");
         Task task{
             .name = "task_" + row.cells[task_].text, .cycles = cycles.text, .processor = tasks_.size() % processors_};
         if (processor_ < row.cells.size() && !row.cells[processor_].text.empty())
@@ -135,14 +135,14 @@ private:
         const auto length = parse_number<std::uint32_t>(bytes);
         const TextCell& cell = row.cells[successors_];
         if (!length || *length == 0 || *length > 1'000'000'000)
-            return fault(row, cell, fmt::format("\"{}\" does not state its bytes", word),
+            return fault(row, cell, fmt::format("\"{}\" does not state a number of bytes", word),
                          "a successor is written NAME:BYTES, with 1 to 1000000000 bytes");
         const auto found = numbers_.find(name);
         if (found == numbers_.end()) {
             std::vector<std::string> names;
             for (const auto& each : numbers_)
                 names.push_back(each.first);
-            return fault(row, cell, unknown_name("task", name, names, "a successor is a task of the table"), "");
+            return fault(row, cell, unknown_name("task", name, names, "a successor must be a task of the table"), "");
         }
         task.messages.push_back({found->second, bytes});
     }
@@ -167,7 +167,7 @@ private:
         const TextRow& row = table_.rows[stuck];
         fault(row, row.cells[task_],
               fmt::format("the task \"{}\" is in a circle of tasks, or depends on one", row.cells[task_].text),
-              "a task graph has no circles");
+              "remove a successor: a task graph cannot have circles");
     }
 
     std::size_t processors_;

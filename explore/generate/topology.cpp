@@ -178,7 +178,7 @@ Topology chordal_ring_of_three(const TopologyRequest& request, std::size_t nodes
     if (nodes % 2 == 1 || chord % 2 == 0)
         refuse_size(request,
                     fmt::format("with three links for each processor, chords lead from even to odd processors: "
-                                "the size must be even and the chord odd (it is {}); or use --degree 4",
+                                "the size must be even and the chord odd (the chord is {}); or use --degree 4",
                                 chord));
     return {.about =
                 fmt::format("A chordal ring of {}, with chords of length {} from even to odd processors", nodes, chord),
@@ -204,7 +204,7 @@ Topology chordal_ring(const TopologyRequest& request) {
     std::size_t degree = request.degree.value_or(3);
     if (degree != 3 && degree != 4)
         refuse_size(request,
-                    fmt::format("--degree {}: expected 3 or 4, the links of a processor of a chordal ring", degree));
+                    fmt::format("--degree {}: expected 3 or 4 links for each processor of a chordal ring", degree));
     if (chord < 2 || chord + 1 >= nodes)
         refuse_size(request, fmt::format("a chord of length {} leads to a neighbour or around the whole ring; use a "
                                          "chord from 2 to half of the size",

@@ -14,7 +14,7 @@ struct WireEnd {
     std::string port; ///< subscript of the port to this neighbour; the ports of a process are numbered 0, 1, 2 ...
 };
 
-/// Wires, one for each round of the loops.
+/// Wires, one for each iteration of the loops.
 struct Wires {
     std::vector<std::string> loops; ///< "rep r = 0 for rows", the outermost first
     WireEnd from, to;
@@ -31,7 +31,7 @@ struct HostWires {
 
 /// A topology of a given size, as fragments of the netlist language that declare and connect the array `t` of
 /// processors. The fragments depend on the vals, so that --set can change the size. By default processors have one
-/// subscript, and a wire from the first leads to the host.
+/// subscript, and a wire leads from the first processor to the host.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
     std::vector<std::string> vals; ///< statements such as "val rows 4;"; one declares `nodes`, the number of processors
@@ -48,8 +48,8 @@ struct Topology {
 
 std::vector<std::string> names_of_topologies();
 
-/// Throws UserError if the topology is unknown or does not have this size, or if a processor would need more links than
-/// a transputer has.
+/// Throws UserError if the topology is unknown or cannot have this size, or if a processor would need more links than a
+/// transputer has.
 Topology topology_of(const TopologyRequest&);
 
 } // namespace placedpar::generate

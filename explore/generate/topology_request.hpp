@@ -9,9 +9,9 @@ namespace placedpar::generate {
 /// The options that describe the wanted machine, as typed by the user.
 struct TopologyRequest {
     std::string topology;                ///< one of names_of_topologies(), or a file with a graph
-    std::string size;                    ///< "8" processors, or "4x4" rows and columns; "" for a file
+    std::string size;                    ///< "8" (processors), or "4x4" (rows and columns); "" for a file
     bool split = false;                  ///< builds a node of more than four edges from two processors
-    std::optional<std::size_t> branches; ///< branches of each node of a tree
+    std::optional<std::size_t> branches; ///< number of branches of each node of a tree
     std::optional<std::size_t> chord;    ///< length of the chords of a chordal ring, in processors
     std::optional<std::size_t> degree;   ///< degree of a chordal ring: 3 or 4
     std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor

@@ -34,7 +34,8 @@ public:
         XML_SetEntityDeclHandler(parser_.get(), [](void* self, const char*, int, const char*, int, const char*,
                                                    const char*, const char*, const char*) {
             of(self).guard([&] {
-                of(self).refuse("the document type declares entities", "a graph in GraphML needs no declarations");
+                of(self).refuse("the document type declares entities",
+                                "remove the declarations: a graph in GraphML needs none");
             });
         });
     }

@@ -28,7 +28,7 @@ public:
 };
 
 /// Reads an XML text with the library expat. Throws RefusedText for a text that is not well-formed, that declares
-/// entities, or whose elements are nested deeper than `deepest_graph`, and what XmlParts threw.
+/// entities, or whose elements are nested deeper than `deepest_graph`. Rethrows exceptions of XmlParts.
 void read_xml(const std::shared_ptr<const SourceFile>&, XmlParts&);
 
 } // namespace placedpar::generate

@@ -4,19 +4,24 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <utility>
+#include <initializer_list>
 
 namespace placedpar {
 
 namespace {
 
-/// Throws UserError for the first given setting that this way does not have.
-template <std::size_t n>
-void require_lacking(const std::array<std::pair<const char*, bool>, n>& settings, const char* why) {
-    for (const auto& [name, given] : settings)
-        if (given)
-            throw UserError(fmt::format("{} works only with --way thesis{}", name, why));
+/// A setting that the way of identification does not have.
+struct Lacking {
+    const char* name;
+    bool is_given;
+    const char* ways = "thesis"; ///< the ways that have it
+};
+
+/// Throws UserError for the first of these settings that is given.
+void require_lacking(std::initializer_list<Lacking> settings, const char* why) {
+    for (const Lacking& each : settings)
+        if (each.is_given)
+            throw UserError(fmt::format("{} works only with --way {}; {}", each.name, each.ways, why));
 }
 
 void require_in_range(const IdentifySettings& settings) {
@@ -47,14 +52,14 @@ void settle_way(IdentifySettings& settings) {
     if (settings.way != "service" && settings.configuration.empty())
         settings.configuration = "a";
     if (settings.way == "whole")
-        require_lacking<2>({{{"--rising", settings.rising}, {"--window", settings.window.has_value()}}},
-                           "; --way whole uses all samples at once");
+        require_lacking({{"--rising", settings.rising}, {"--window", settings.window.has_value()}},
+                        "--way whole uses all samples at once");
     if (settings.way == "service")
-        require_lacking<4>({{{"--samples", settings.samples.has_value()},
-                             {"--rising", settings.rising},
-                             {"--coding", !settings.coding.empty()},
-                             {"--offset auto", settings.offset == "auto"}}},
-                           ", which searches the first transient; --way service uses all movements in order");
+        require_lacking({{"--samples", settings.samples.has_value(), "thesis or whole"},
+                         {"--rising", settings.rising},
+                         {"--coding", !settings.coding.empty(), "thesis or whole"},
+                         {"--offset auto", settings.offset == "auto"}},
+                        "--way service uses all movements in order");
 }
 
 IdentifyEnd identify_record(const IdentifySettings& settings, const RecordInput& input, const IdentifyOutput& output) {

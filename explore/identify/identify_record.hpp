@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// Chooses the way if none was given. Throws UserError for numbers out of range and for settings that the way does not
-/// have.
+/// Chooses the way of identification (IdentifySettings::way) if none was given. Throws UserError for numbers out of
+/// range and for settings that the way does not have.
 void settle_way(IdentifySettings&);
 
 /// Evaluates a record in the way that the settings name. Throws RefusedInput, UserError or UnfitRecord. REQUIRES:

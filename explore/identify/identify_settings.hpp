@@ -13,7 +13,7 @@ namespace placedpar {
 struct IdentifySettings {
     std::string links, configuration, way, offset, areas, missing = "refuse", machine;
     std::vector<std::string> columns; ///< names of columns, such as "boom.inlet_pressure=P_boom_in"
-    std::string columns_from;         ///< a file with such names, one a line
+    std::string columns_from;         ///< a file with such names, one on each line
     std::uint64_t seed = 1;
     std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the default of the way
     double bias = 400;

@@ -88,9 +88,10 @@ Identifying::Identifying(const IdentifySettings& settings, const Record& first, 
                  readers_of(settings, first, links_)) {}
 
 void refuse_rest(const Identifying& identifying) {
-    throw UnfitRecord(fmt::format("no movement in {}: expected a valve that opens for long enough while the pressure "
-                                  "lets oil flow into the cylinder",
-                                  counted(identifying.diagnosis().samples(), "sample")));
+    throw UnfitRecord(
+        fmt::format("no movement was found in {}: expected a valve that opens for long enough while the pressure "
+                    "lets oil flow into the cylinder",
+                    counted(identifying.diagnosis().samples(), "sample")));
 }
 
 } // namespace placedpar

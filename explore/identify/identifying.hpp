@@ -11,11 +11,11 @@
 
 namespace placedpar {
 
-/// Identifies the compliances in a record that is read in pieces, as the monitor does it.
+/// Identifies the compliances in a record that is read in pieces, as the monitor does.
 class Identifying {
 public:
-    /// Throws UserError for a wrong setting, or if the first piece lacks channels that the settings need. `warn` gets
-    /// warnings about the machine's constants.
+    /// Throws UserError for a wrong setting, or if the first piece lacks channels that the settings need. `warn`
+    /// receives warnings about the machine's constants.
     Identifying(const IdentifySettings& settings, const hydraulics::Record& first, const WarningSink& warn);
 
     hydraulics::LinkSet links() const { return links_; }
@@ -45,7 +45,7 @@ identification::WholeWay moving_way(const IdentifySettings& settings, std::size_
 void require_no_fixed_settings(const IdentifySettings& settings);
 /// Returns the links whose compliance is wanted from a record whose configuration is recognised.
 hydraulics::LinkSet links_that_move(const IdentifySettings& settings);
-/// Throws UnfitRecord: no movement was found.
+/// Throws UnfitRecord, which says why no movement was found.
 [[noreturn]] void refuse_rest(const Identifying& identifying);
 
 } // namespace placedpar

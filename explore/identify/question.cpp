@@ -52,13 +52,14 @@ ColumnName name_typed(const std::string& typed) try { return column_name(typed);
     throw UserError(fmt::format("--column {}", wrong.what()));
 }
 
-/// Throws UserError if two channels have the same column, or a channel has two.
+/// Throws UserError if two channels have the same column, or if a channel has two columns.
 void require_different(const std::vector<ColumnName>& names) {
     for (const ColumnName& name : names) {
         if (std::ranges::count(names, name.in_file, &ColumnName::in_file) > 1)
-            throw UserError(fmt::format("the column \"{}\" is given to two channels; expected one", name.in_file));
+            throw UserError(
+                fmt::format("the column \"{}\" is given to two channels; expected one channel", name.in_file));
         if (std::ranges::count(names, name.channel, &ColumnName::channel) > 1)
-            throw UserError(fmt::format("\"{}\": the channel already has a column; expected one", name.in_file));
+            throw UserError(fmt::format("\"{}\": the channel already has a column; expected one column", name.in_file));
     }
 }
 
@@ -68,7 +69,7 @@ std::vector<ColumnName> column_names(const IdentifySettings& settings) {
     std::vector<ColumnName> typed;
     for (const std::string& each : settings.columns)
         typed.push_back(name_typed(each));
-    for (const ColumnName& each : typed) // replaces a name of the file
+    for (const ColumnName& each : typed) // a typed name replaces the file's name of the same channel
         std::erase_if(names, [&](const ColumnName& name) { return name.channel == each.channel; });
     names.insert(names.end(), typed.begin(), typed.end());
     require_different(names);

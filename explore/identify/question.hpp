@@ -42,7 +42,7 @@ double offset_asked(const std::string& text);
 hydraulics::RecordNeeds needs_of(const IdentifySettings& settings,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 
-/// States how the record's readings were averaged.
+/// Returns a description of how the record's readings were averaged.
 boost::json::object sampling_json(const hydraulics::Sampling& sampling);
 boost::json::array warnings_json(const std::vector<Diagnostic>& warnings);
 

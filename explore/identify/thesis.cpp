@@ -37,14 +37,16 @@ IdentificationWay way_of(const IdentifySettings& settings, IdentificationWay way
     return way;
 }
 
-/// Returns whether the boom's areas come from the position of its spool, which is read or computed from the voltage by
-/// equation A.1.
-bool uses_spool(const Record& record, const Question& question) {
-    return question.links.contains(Link::boom) &&
-           areas_from(record.channels(), Link::boom, question.areas_from) != AreasFrom::areas;
+/// Returns the source of the position of the boom's spool, if the boom's areas come from this position: the spool's
+/// readings, or the voltage by equation A.1.
+std::optional<AreasFrom> source_of_spool(const Record& record, const Question& question) {
+    if (!question.links.contains(Link::boom))
+        return std::nullopt;
+    const AreasFrom from = areas_from(record.channels(), Link::boom, question.areas_from);
+    return from == AreasFrom::areas ? std::nullopt : std::optional(from);
 }
 
-/// A record and the question about it.
+/// A record, and the settings for its identification.
 struct Case {
     Parameters machine;
     LoadedRecord loaded;
@@ -57,18 +59,20 @@ struct Case {
 
 std::string print_calibration(const std::optional<SpoolOffset>& found) {
     if (!found)
-        return "spool offset: not calibrated, because the record has no second of steady motion\n";
+        return "spool offset: not calibrated, because the record has less than a second of steady motion\n";
     return fmt::format("spool offset: {:+.5f} in, standard error {:.5f}, from {} samples of steady motion\n",
                        found->offset_in, found->deviation_in, found->samples);
 }
 
-/// Calibrates the offset from the record's own steady motion.
-void calibrate(Case& asked) {
-    asked.calibrates = asked.loaded.record.has(Link::boom, Sensor::spool) &&
-                       asked.loaded.record.has(Link::boom, Sensor::inlet_pressure);
+/// Calibrates the offset of the spool's position, which has this source, from the record's own steady motion.
+void calibrate(Case& asked, AreasFrom from) {
+    const Sensor sensor = from == AreasFrom::servo ? Sensor::servo : Sensor::spool;
+    asked.calibrates =
+        asked.loaded.record.has(Link::boom, sensor) && asked.loaded.record.has(Link::boom, Sensor::inlet_pressure);
+    LinkCalibrations calibrations = link_calibrations(asked.machine);
+    calibrations[index_of(Link::boom)].from = from;
     if (asked.calibrates)
-        asked.calibration = calibrate_spool_offset(asked.loaded.record, link_calibrations(asked.machine),
-                                                   flow_constants(asked.machine));
+        asked.calibration = calibrate_spool_offset(asked.loaded.record, calibrations, flow_constants(asked.machine));
     if (asked.calibration)
         asked.question.spool_offset_in = asked.calibration->offset_in;
 }
@@ -92,13 +96,14 @@ Case read_case(const IdentifySettings& settings, const RecordInput& input, const
     asked.sampling = Sampling::of(asked.loaded.record.period_s);
     if (asked.sampling.readings > 1)
         asked.loaded.record = averaged(asked.loaded.record, asked.sampling);
-    if (!uses_spool(asked.loaded.record, asked.question)) {
+    const auto from = source_of_spool(asked.loaded.record, asked.question);
+    if (!from) {
         if (asked.question.spool_offset_in)
             throw UserError(fmt::format("--offset {}: the option has no effect, because no area is computed from "
                                         "the boom's spool",
                                         settings.offset));
     } else if (automatic) {
-        calibrate(asked);
+        calibrate(asked, *from);
     }
     return asked;
 }

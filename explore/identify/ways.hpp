@@ -20,14 +20,14 @@ namespace placedpar {
 class RecordStream {
 public:
     virtual ~RecordStream() = default;
-    /// Returns the next piece, or nullopt when the record is over. Throws an exception for a wrong record.
+    /// Returns the next piece, or nullopt when the record is over. Throws an exception if the record is invalid.
     virtual std::optional<hydraulics::Record> next() = 0;
     virtual std::uint64_t bytes() const = 0; ///< number of bytes read so far
     virtual bool stopped() const = 0;        ///< the caller has ended the record early
     virtual const std::vector<Diagnostic>& warnings() const = 0;
 };
 
-/// A record to be identified. Only one of the functions is called, and only once.
+/// Functions that read the record to be identified. Only one of them is called, and only once.
 struct RecordInput {
     std::function<LoadedRecord(const hydraulics::RecordNeeds&)> whole;
     std::function<std::unique_ptr<RecordStream>(hydraulics::RecordNeeds)> pieces;

@@ -71,7 +71,7 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// Returns the front_fitness() of the machines, of which each counts only once.
+/// Returns the front_fitness() of the machines; a machine that occurs several times counts only once.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;

@@ -46,11 +46,11 @@ public:
     /// REQUIRES: the arguments outlive this object; the study has a search.
     MachineSearch(const Study&, const MachineSpace&, MachineTrials&, Listener);
 
-    /// Searches by this project's genetic algorithm in the manner of NSGA-II. Each generation is sorted by order_of().
-    /// The better half survives unchanged, and its offspring replace the other half. The operators are stochastic
-    /// universal sampling over linear ranks, uniform crossover and mutation. If several genomes code one machine, all
-    /// but the first count as infeasible, so the surviving half rarely has a machine twice. Throws UserError if the
-    /// condition holds for none of the machines drawn.
+    /// Searches with a genetic algorithm that resembles NSGA-II. Each generation is sorted by order_of(). The better
+    /// half survives unchanged, and its offspring replace the other half. The operators are stochastic universal
+    /// sampling over linear ranks, uniform crossover and mutation. If several genomes code one machine, all but the
+    /// first count as infeasible, so the surviving half rarely has a machine twice. Throws UserError if the condition
+    /// holds for none of the machines drawn.
     std::optional<SearchCourse> genetic();
     /// Draws different machines for which the condition holds, until `simulated` machines have been simulated or nearly
     /// all such machines have been drawn.

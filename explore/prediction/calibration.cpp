@@ -24,7 +24,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t individuals = 20; // in the searches that are measured
+constexpr std::size_t individuals = 20; // in each search that is measured
 
 /// The kinds of one thread, with problems of their own.
 struct KindsToMeasure {
@@ -127,8 +127,8 @@ private:
     MessageCosts measure_messages(const std::string& where, Switches switches, Matches matches) {
         constexpr std::size_t large = 256 * 1024;
         return {.switching = repeat("switches of " + where, [&] { return switches(often); }),
-                .there_and_back =
-                    repeat("messages in one of " + where, [&] { return matches({.kernels = 1, .times = often}); }),
+                .there_and_back = repeat("messages inside one of the " + where,
+                                         [&] { return matches({.kernels = 1, .times = often}); }),
                 .across = repeat("messages between " + where, [&] { return matches({.times = often}); }),
                 .kilobyte = repeat("large messages between " + where, [&] {
                     const auto one_way = [&](std::size_t kernels) {
@@ -212,7 +212,8 @@ std::string today() {
 MeasuredCost cost_of(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t n = values.size();
-    // The probability that the median lies outside the values number k and n - k - 1 is twice the binomial sum up to k.
+    // The probability that the median is less than value number k or greater than value number n - k - 1 is twice the
+    // binomial sum up to k.
     std::size_t k = 0;
     double term = std::pow(0.5, static_cast<double>(n)), below = term;
     for (; k + 1 < n / 2; ++k) {

@@ -28,14 +28,14 @@ struct ProblemCost {
 /// The costs of messages in native runs.
 struct MessageCosts {
     MeasuredCost switching;      ///< switch from one process to the next
-    MeasuredCost there_and_back; ///< a message between processes of a thread or rank
-    MeasuredCost across;         ///< a message between two threads or ranks that are awake
+    MeasuredCost there_and_back; ///< a message there and back between two processes of one thread or rank
+    MeasuredCost across;         ///< a message there and back between two threads or ranks that are awake
     MeasuredCost kilobyte;       ///< 1024 bytes of a message between two threads or ranks
 };
 
 /// The costs of native runs on this computer.
 struct Calibration {
-    std::string processor; ///< the name of the host's processor
+    std::string processor; ///< the name of this computer's processor
     std::string date;      ///< "2026-11-29"
     std::size_t repetitions = 0;
     MessageCosts threads;
@@ -46,8 +46,8 @@ struct Calibration {
     std::optional<MessageCosts> ranks; ///< set if ranks were measured
     MeasuredCost oversleeping;         ///< how much longer a pause of a rank lasts than requested
 
-    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. Other programs
-    /// then use the cores, and the costs predict nothing.
+    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. This happens if
+    /// other programs use the cores; the costs then predict nothing.
     bool is_disturbed() const;
 };
 
@@ -63,16 +63,16 @@ struct CalibrationSettings {
     Ranks* ranks = nullptr;
 };
 
-/// Measures the costs by native runs. Returns an empty list of problems if interrupted. Throws UserError for an unknown
+/// Measures the costs by native runs. If it is interrupted, the result has no problems. Throws UserError for an unknown
 /// problem.
 Calibration measure_computer(const CalibrationSettings&);
 
 /// Takes part in the measurements of rank 0. Returns when rank 0 has finished.
 void help_to_measure(Ranks&);
 
-/// Returns a netlist include that describes the computer: a type `this_core` of nodes, a type `this_memory` through
-/// which cores communicate, and vals for the costs of searches. If ranks were measured, also the types `this_rank` and
-/// `this_network`.
+/// Returns the text of a file that netlists can include. The file describes the computer: a type `this_core` of nodes,
+/// a type `this_memory` through which cores communicate, and vals for the costs of searches. If ranks were measured,
+/// also the types `this_rank` and `this_network`.
 std::string print_calibration(const Calibration&);
 
 /// Cycles of `this_core` in a nanosecond.

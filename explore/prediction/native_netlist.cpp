@@ -45,7 +45,7 @@ std::string include_of(const std::filesystem::path& path) {
 /// Gives access to the costs in a calibration file.
 class StatedCosts {
 public:
-    /// Throws UserError if the file cannot be read, or is not an include.
+    /// Throws UserError if a netlist cannot include the file.
     explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
         const ReadResult read = read_netlist_text(include_, devices_);
         if (!read.network)
@@ -95,7 +95,7 @@ private:
             refuse(otherwise);
         return val;
     }
-    /// Returns whether a netlist that includes the calibration may make this statement.
+    /// Returns whether a netlist that includes the calibration may contain this statement.
     bool can_use(const std::string& statement) const {
         const auto [known, is_new] = tried_.try_emplace(statement);
         if (is_new)
@@ -110,7 +110,7 @@ private:
     Catalogue devices_;
     std::filesystem::path path_;
     std::string include_;
-    mutable std::map<std::string, bool> tried_; ///< statements, and whether a netlist may make them
+    mutable std::map<std::string, bool> tried_; ///< statements, and whether a netlist may contain them
 };
 
 /// Returns a name that no process has.
@@ -215,7 +215,7 @@ std::vector<PredictedTime> predict_times(const Network& network, PredictedPlaces
     const Catalogue kinds = known_kinds(problems);
     std::vector<PredictedTime> times;
     const std::size_t most = std::max<std::size_t>(native::most_places(network), 1);
-    std::size_t least = 1; // a node with a rank needs its thread
+    std::size_t least = 1; // a node that states rank n needs at least n + 1 places
     for (const ProcessInstance& process : network.processes)
         least = std::max(least, network.nodes[process.node].rank.value_or(0) + 1);
     for (std::size_t places = least; places <= most && !interruption.requested();

@@ -20,22 +20,22 @@ struct PredictedPlaces {
 
 /// Describes a native run of the network on these places, as a netlist that can be simulated: the places become cores,
 /// and their costs and the costs of the searches come from `calibration`, a file that print_calibration() has made.
-/// Computations of other kinds take no time, as in a native run. There are at most as many threads as nodes with
-/// processes.
+/// Computations of processes that do not search take no time, as in a native run. There are at most as many threads as
+/// nodes with processes.
 ///
 /// Throws UserError if the network cannot run natively on these places, if the file cannot be read, or if the file has
 /// no costs of ranks or of a problem.
 std::string native_netlist(const Network&, const PredictedPlaces&, const std::filesystem::path& calibration);
 
-/// Returns whether the file describes such places. Throws as native_netlist().
+/// Returns whether the file has the costs of places of this kind. Throws as native_netlist().
 bool describes(PredictedPlaces::Kind, const std::filesystem::path& calibration);
 
 struct PredictedTime {
     std::size_t places;
     Time time;
 };
-/// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads or ranks, as far as the
-/// network has processors. After an interruption, the list is incomplete. Throws as native_netlist(), and what the
+/// Returns the predicted times of native runs on 1, 2, 3, 4, 6, 8, 12, 16 and so on threads or ranks, up to the number
+/// of the network's processors. After an interruption, the list is incomplete. Throws as native_netlist(), and what the
 /// processes throw.
 std::vector<PredictedTime> predict_times(const Network&, PredictedPlaces::Kind,
                                          const std::filesystem::path& calibration, std::uint64_t seed,

@@ -22,8 +22,8 @@ std::string interval(const MeasuredCost& cost) {
 
 double nanoseconds(Time time) { return std::chrono::duration<double, std::nano>(time).count(); }
 
-/// Returns the time until a thread has woken. If it is longer than the patience of a thread, the sender of a message
-/// falls asleep before the answer comes, and the message there and back waits twice.
+/// Returns the time until a sleeping thread has woken. If this time exceeds the patience of a thread, the sender of a
+/// message falls asleep before the answer comes; a message there and back then takes this time twice.
 double waking_ns(const Calibration& c) {
     const double both = std::max(c.across_asleep.median - c.threads.across.median, 0.0);
     return both > nanoseconds(native::most_patience) ? both / 2 : both;

@@ -23,7 +23,7 @@ constexpr double most_values = 1e15; ///< limit for a range; larger doubles do n
 constexpr const char* forms_of_range = "a range is FROM..TO, FROM..TO..STEP or FROM..TO..xFACTOR, such as 0..7, "
                                        "0..100..10 or 1..64..x2";
 
-/// Returns an end of a range. A suffix has its meaning for a clock or a link: 5M is 5 million.
+/// Returns an end of a range. A suffix counts as in the clock of a processor or the speed of a link: 5M is 5 million.
 double end_of_range(std::string_view range, std::string_view text) {
     std::optional<double> number = number_of_setting(std::string(text));
     if (!number)
@@ -56,7 +56,7 @@ std::string without_blanks(std::string text) {
     return text;
 }
 
-/// Adds a part; an equal value that is already there gets the better of the two spellings.
+/// Adds a part. If an equal value is already there, only the better of the two spellings is kept.
 void add_part(std::vector<StudyValues>& parts, const std::string& name, const std::string& text) {
     StudyValues part(name, text);
     SettingValue value(name, text);
@@ -120,7 +120,7 @@ std::string StudyValues::at(std::uint64_t index) const {
 std::optional<SettingValue> StudyValues::find(const SettingValue& value) const {
     std::optional<double> number = is_range_ ? value.number() : std::nullopt;
     double steps = number ? steps_to(*number) : 0;
-    if (is_range_ && (!number || std::isnan(steps))) // for a multiplied range, a number that is not above 0
+    if (is_range_ && (!number || std::isnan(steps))) // NaN if the range multiplies and the number is not above 0
         return std::nullopt;
     double nearest = std::clamp(std::round(steps), 0.0, static_cast<double>(count_ - 1)); // at() rounds
     SettingValue found = is_range_ ? SettingValue(name_, at(static_cast<std::uint64_t>(nearest))) : only_;

@@ -14,8 +14,8 @@ namespace placedpar {
 class StudyValues {
 public:
     /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" (steps of 10) or "1..64..x2" (each value is
-    /// twice the value before). A range is ascending. The upper end of a range is one of its values if a step meets it.
-    /// Throws UserError if the range is empty or its ends are not numbers.
+    /// twice the value before). A range is ascending. The upper end of a range is one of its values if a step reaches
+    /// it exactly. Throws UserError if the range is empty or its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }

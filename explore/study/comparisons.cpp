@@ -89,7 +89,7 @@ private:
     }
 
     /// Sets the mean over the seeds and, for several seeds, its interval. If a percentage is 0 or 100 in every run, the
-    /// interval is that of a share of the runs.
+    /// interval is computed as for a share of the runs.
     void set_figure(Cell& cell, const StudyRow& row, const Overrides& set, const FiguresByName& above) {
         StudyCell figures;
         std::size_t none = 0, all = 0;

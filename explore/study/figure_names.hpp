@@ -18,7 +18,8 @@ public:
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError if a name in the expression has no meaning, or several meanings, here and in `other` together.
+    /// Throws UserError if a name in the expression has no meaning, or several meanings, in this object and `other`
+    /// taken together.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

@@ -52,7 +52,7 @@ std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::stri
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }
 
-/// Returns the description of a measurement by the kind of a process. The figures do not name the kind, so the kind
+/// Returns the description that a process's kind gives of a measurement. The figures do not name the kind, so the kind
 /// that describes most of the process's other measurements is assumed. Returns "" if this kind does not describe the
 /// measurement.
 std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {

@@ -23,9 +23,9 @@ struct StudyFigure {
     std::string unit;
 };
 
-/// Returns all figures of a run: "time" in ms, and the numbers of "processors" and "links" used. Also the measurements
-/// of processes, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy". If parts
-/// have prices, there is the "price" of the machine.
+/// The figures of a run: "time" in ms, the numbers of "processors" and "links" used, the measurements of processes,
+/// such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy". If parts have prices,
+/// "price" is the price of the machine.
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&, const Prices& = {});
 
@@ -50,7 +50,7 @@ public:
 
     /// Returns the name of the measured quantity: "master.T_exe" for "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
-    /// Returns the measure's name in the figures of tables: "T_exe".
+    /// Returns the measure's name in the expressions of tables: "T_exe".
     std::string last_name() const;
 
 private:

@@ -13,7 +13,7 @@ using Prices = std::map<std::string, double>;
 
 /// Returns the price of all parts that the netlist declares. A part without a price costs nothing.
 double price_of(const Network&, const Prices&);
-/// Throws UserError if a price is that of an unknown part.
+/// Throws UserError if a price is given for an unknown part.
 void require_parts(const Prices&, const Catalogue&);
 
 } // namespace placedpar

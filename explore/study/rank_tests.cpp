@@ -27,7 +27,7 @@ struct Compared {
 };
 
 std::vector<Compared> compared_along(const StudySummary& summary, std::size_t axis) {
-    std::map<std::vector<std::string>, Compared> all; // by the values of the other settings
+    std::map<std::vector<std::string>, Compared> all; // key: values of the other settings
     for (const StudyLine& line : summary.lines) {
         std::vector<std::string> others = line.values, shown;
         others[axis].clear();

@@ -127,7 +127,7 @@ StudySource source_of(const Study& study, const Network& network) {
     StudySource source{study.netlist, {{study.netlist, text_of_file(study.netlist)}}, options_of(study)};
     for (const std::string& path : network.included_paths)
         source.texts.emplace_back(path, text_of_file(path));
-    for (const Node& node : network.nodes) // the bytes themselves are not text
+    for (const Node& node : network.nodes) // a hash, because the bytes are not text
         if (!node.boot_file.empty())
             source.texts.emplace_back(node.boot_file, hex(boot_hash(node)));
     return source;
@@ -247,14 +247,15 @@ bool StudyResults::is_ours() {
                                     path_.string(), error.what()));
     }
     if (std::int64_t format = database_->integer("PRAGMA user_version"); format != results_format)
-        throw UserError(fmt::format(
-            "{}: the file has format {}, from {} version of PlacedPar; this version "
-            "reads format {}",
-            path_.string(), format, format > results_format ? "a later" : "an earlier",
-            format > results_format ? fmt::format("{}", results_format)
-                                    : fmt::format("{}: use the other version to report it, or sweep again with another "
-                                                  "--results",
-                                                  results_format)));
+        throw UserError(
+            fmt::format("{}: the file has format {}, from {} version of PlacedPar; this version "
+                        "reads format {}",
+                        path_.string(), format, format > results_format ? "a later" : "an earlier",
+                        format > results_format
+                            ? fmt::format("{}", results_format)
+                            : fmt::format("{}: use the other version to report its runs, or sweep again with another "
+                                          "--results",
+                                          results_format)));
     if (schema_of(*database_) != schema_of_ours())
         refuse_damaged("its tables differ from those that PlacedPar makes");
     return true;
@@ -285,7 +286,7 @@ void StudyResults::read_head() {
         head_.source.texts.emplace_back(texts.text(0), texts.text(1));
     head_.add_up_texts();
     if (checksum != head_.checksum())
-        refuse_damaged("the row of table study, or one of table texts");
+        refuse_damaged("the row of table study, or a row of table texts");
 }
 
 /// Reads the runs in their order. A run out of order is refused, so no run occurs twice, and a loop in a damaged file
@@ -321,7 +322,7 @@ StudySource StudyResults::source() { return head_.source; }
 
 namespace {
 
-/// Says how the source of kept runs differs from another one. REQUIRES: it does.
+/// Says how the source of kept runs differs from the wanted source. REQUIRES: they differ.
 std::string print_difference(const StudySource& kept, const StudySource& wanted) {
     if (kept.options != wanted.options)
         return fmt::format("the file's runs were made with other options ({}, not {})", kept.options, wanted.options);

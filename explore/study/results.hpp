@@ -32,9 +32,9 @@ struct StudySource {
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
     std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, a text that
                          ///< identifies the function
-    std::string named_by = " with --results"; ///< how to name another file, for the message of a refusal
+    std::string named_by = " with --results"; ///< words in the message of a refusal that say how to name another file
 
-    /// Compares all except the paths of the files and `named_by`.
+    /// Compares everything except the paths of the files and `named_by`.
     bool operator==(const StudySource& other) const;
 };
 /// Reads the netlist's files. REQUIRES: `network` was read from these files. Throws UserError.

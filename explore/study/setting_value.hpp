@@ -8,7 +8,7 @@
 namespace placedpar {
 
 /// Evaluates a value of --set without a netlist. Returns nothing if the value is not an expression or has a name in it:
-/// such a value stands for a text without quotes.
+/// such a value is a text without quotes.
 std::optional<Constant> constant_of_setting(const std::string& text);
 
 /// Returns the number that a value of --set means for a clock or the speed of a link: 5M is 5 million. Returns nothing

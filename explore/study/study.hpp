@@ -52,7 +52,7 @@ struct StudySearch {
 /// are finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
-/// The runs to be made of a netlist or of a function, and the measures to be reported.
+/// The runs of a netlist or of a function, and the measures to report.
 struct Study {
     std::string netlist;         ///< path of the netlist
     StudyFunction function = {}; ///< empty: the netlist is run

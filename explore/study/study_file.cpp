@@ -181,7 +181,7 @@ private:
         if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // counts the
                                                                                                  // characters of UTF-8
             report(node.source().begin,
-                   fmt::format("\"{}\" is too long to stand above a figure: expected at most {} letters", word, most));
+                   fmt::format("\"{}\" is too long as a heading: expected at most {} letters", word, most));
         return word;
     }
 
@@ -443,7 +443,7 @@ private:
             return std::pair(one.line, one.column) < std::pair(other.line, other.column);
         });
         for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // not taken for a process
+            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // not a process
                 report_misplaced("relative_to", *value);
             else if (value->is_table())
                 read_axes(*value, prefix + std::string(key->str()) + ".", axes);

@@ -7,8 +7,9 @@
 
 namespace placedpar {
 
-/// Finds out whether a study has runs with given settings. Tables make thousands of products with a single combination:
-/// a set holds the meanings of their values. Only products with several combinations are searched one by one.
+/// Finds out whether a study has runs with given settings. A study's tables can make thousands of products with a
+/// single combination each; a set holds these combinations, by the meanings of their values. Only products with several
+/// combinations are searched one by one.
 class StudySettings {
 public:
     StudySettings() = default;

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Figures of a run, one for each measure; empty if the run does not have the measure.
+/// Figures of a run, one for each measure; a figure is empty if the run does not have the measure.
 using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {

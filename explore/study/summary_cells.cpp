@@ -55,9 +55,9 @@ std::vector<std::string> said_of_all(const StudySummary& summary) {
     if (!summary.relative_to.empty())
         said.push_back("relative to " + shown_settings(summary.relative_to));
     if (summary.unrelated > 0)
-        said.push_back(
-            fmt::format("no relative figures, because no matching run with these settings ended in the same way: {}",
-                        counted(summary.unrelated, "run")));
+        said.push_back(fmt::format(
+            "{} without relative figures, because no matching run with these settings ended in the same way",
+            counted(summary.unrelated, "run")));
     return said;
 }
 

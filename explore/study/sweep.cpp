@@ -102,7 +102,7 @@ private:
 };
 
 /// Calls `look` with networks of the study until it returns true. If there are very many networks, calls it only with
-/// some that are spread over the study.
+/// some networks that are spread over the study.
 void look_at_networks(const Study& study, const std::function<bool(const Network&)>& look) {
     const NetworkReader reader(study);
     SpreadCombinations combinations(study);

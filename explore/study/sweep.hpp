@@ -28,9 +28,9 @@ Network readable_network(const Study&);
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
 /// Makes runs of a study, one after the other, and keeps the data that they share. The kinds and the parsed netlist are
-/// made once, a network once for each combination, and the records of measurement once for each seed. If the events on
-/// the machine do not depend on the seed, these are also simulated once for each combination (RecordedRun). A problem's
-/// objective is computed once for each genome (RememberedProblem).
+/// made once, a network once for each combination, and the records of measurements once for each seed. If the events on
+/// the machine do not depend on the seed, the machine is also simulated only once for each combination (RecordedRun). A
+/// problem's objective is computed once for each genome (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
@@ -40,7 +40,7 @@ public:
 
     /// Makes a run; returns nothing if it was interrupted.
     std::optional<StudyOutcome> outcome_of(const StudyRun&, Interruption&);
-    /// Returns the number of runs that were repeated without the machine.
+    /// Returns the number of runs that were repeated without simulating the machine.
     std::uint64_t repeated() const { return repeated_; }
 
 private:
@@ -60,7 +60,7 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
     std::optional<Overrides> set_; ///< settings of network_
     Network network_;
-    std::optional<RecordedRun> record_; ///< record of a run of the network, if its runs may be repeated
+    std::optional<RecordedRun> record_; ///< record of a run of the network, if runs may be repeated from it
     std::uint64_t departed_ = 0;        ///< number of runs of the network that could not be repeated from the record
     std::uint64_t repeated_ = 0;
 };
@@ -108,7 +108,7 @@ private:
     std::uint64_t next_ = 0;
     std::atomic<std::uint64_t> ended_ = 0;
     std::atomic<bool> stop_ = false;
-    std::optional<StudyWorker> trier_; ///< makes single runs, before the sweep, to measure them
+    std::optional<StudyWorker> trier_; ///< makes single runs before the sweep, to measure how long they take
     std::optional<StudyRun> tried_;    ///< last run of trier_
     std::optional<double> seconds_;    ///< wall-clock duration of that run, in seconds
 };

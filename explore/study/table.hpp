@@ -23,7 +23,7 @@ struct StudyTolerance {
 /// A row of a table. Each list is empty or has a member for each column.
 struct StudyRow {
     StudyVariant runs;
-    std::string measure = ""; ///< the row's figure, as a measure of the study; "": `figure` gives it
+    std::string measure = ""; ///< the row's figure, as a measure of the study; "" if `figure` states the row's figure
     StudyExpression figure{
         ""}; ///< expression of the settings, the measures by their last names, and the rows above by their names
     std::string unit = "";
@@ -34,7 +34,7 @@ struct StudyRow {
     bool interval = false; ///< whether two rows below give the 95 % intervals of the figures
     std::vector<Origin> origins = {};
     std::optional<Judge> judge = {}; ///< empty: the judge that the table's `against` names
-    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and
+    Overrides relative_to = {};      ///< each measure is divided by the measure of a run that has these settings and is
                                      ///< otherwise the same
 };
 

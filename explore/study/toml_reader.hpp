@@ -1,6 +1,6 @@
 #pragma once
 
-// Without this macro, Debian's package needs a library to be linked.
+// Without this macro, a program that uses Debian's package must link a library.
 #define TOML_HEADER_ONLY 1
 // With assertions off, the parser tells the compiler to assume the asserted conditions, and the text "[(set]" violates
 // such a condition. With this macro, which neither asserts nor assumes, the parser reports the error in such a text.
@@ -162,7 +162,7 @@ protected:
         return node.value_or(false);
     }
 
-    /// Returns a table of numbers from 0 to 1e12. `example` is the hint if it is another thing.
+    /// Returns a table of numbers from 0 to 1e12. `example` is the error's hint if the node is not such a table.
     std::map<std::string, double> numbers(const toml::node& node, const char* example) {
         std::map<std::string, double> all;
         const toml::table* table = node.as_table();

@@ -99,7 +99,7 @@ Places OwnAcceptance::operator()(const IslandPopulation& island, std::span<const
 
 void Acceptance::validate_for(std::size_t immigrants, std::size_t population, std::size_t elite) {
     if (immigrants > population - elite)
-        throw UserError(fmt::format("{} {} at once to an island of {} with an elite of {}; expected at most {}",
+        throw UserError(fmt::format("{} {} in one exchange to an island of {} with an elite of {}; expected at most {}",
                                     counted(immigrants, "immigrant"), immigrants == 1 ? "comes" : "come",
                                     counted(population, "individual"), elite, population - elite));
 }

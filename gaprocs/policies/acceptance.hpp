@@ -17,13 +17,13 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The population into which immigrants come.
+/// The population that receives immigrants.
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
     std::size_t elite =
-        0; ///< number of best individuals, which are never replaced; of equal individuals, those with higher
-           ///< index are in the elite. In a population that has just been bred, the elite comes first
+        0; ///< number of best individuals, which are never replaced; among equally fit individuals, those with the
+           ///< higher index belong to the elite. In a population that has just been bred, the elite comes first
     const Representation* representation = nullptr; ///< null: binary strings
 };
 
@@ -62,7 +62,7 @@ struct RandomAcceptance {
 
 /// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
 /// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit individuals the one with the lowest index. Draws no number.
+/// equally fit individuals the individual with the lowest index. Draws no number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",
@@ -114,8 +114,8 @@ public:
     /// Throws UserError if the number of immigrants in one exchange exceeds the number of individuals outside the
     /// elite. REQUIRES: elite <= population.
     static void validate_for(std::size_t immigrants, std::size_t population, std::size_t elite);
-    /// Throws as validate_for(). REQUIRES: all strings have the same length, island.elite <= island.strings.size(),
-    /// and, unless among_offspring(), every string has a finite fitness.
+    /// Throws what validate_for() throws. REQUIRES: all strings have the same length, island.elite <=
+    /// island.strings.size(), and, unless among_offspring(), every string has a finite fitness.
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants,
                       RandomStream& random) const;
 };

@@ -39,8 +39,8 @@ Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     return mask;
 }
 
-/// Returns an offspring. The positions `first` to `end` - 1, counted around the ring, have the entries of `kept`. The
-/// missing entries follow from `end` on, in the order in which `other` has them from `end` on.
+/// Returns an offspring. At the positions `first` to `end` - 1 (counted around the ring) it has the entries of `kept`.
+/// The missing entries follow, in the order that they have in `other` from position `end` on.
 std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
                                            std::size_t first, std::size_t end) {
     std::size_t places = kept.size();
@@ -103,8 +103,9 @@ void BlendCrossover::operator()(Genome& a, Genome& b, const RealVector& reals, R
     }
 }
 
-/// Returns how far the offspring of parents at this distance are apart, as a multiple of the distance. `room`: from the
-/// parents to the nearest bound, above 0 or 0; `turn`: uniform in 0 ... 1.
+/// Returns an offspring's distance from the middle of the parents, as a multiple of a parent's distance from the
+/// middle. `distance`: distance between the parents; `room`: distance from the nearer parent to the end of the range;
+/// `turn`: uniform in 0 ... 1.
 double SimulatedBinaryCrossover::spread(double distance, double room, double turn) const {
     const double most = 2 - std::pow(1 + 2 * room / distance, -(index + 1));
     const double scaled = turn * most;

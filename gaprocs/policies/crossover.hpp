@@ -16,8 +16,9 @@
 namespace placedpar {
 
 // Each policy turns two mates into two offspring. The comment of each policy states how many random numbers the policy
-// draws. A character is a bit of a binary string or a number of a real vector. A character has `unit` bits, 1 or 64,
-// which stay together. REQUIRES of every policy: both strings have the same length, at least 2 characters.
+// draws. A character is a bit of a binary string or a number of a real vector. Crossover never separates the bits of a
+// character; there are `unit` of them, 1 or 64. REQUIRES of every policy: both strings have the same length, at least 2
+// characters.
 
 /// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one number.
 struct OnePointCrossover {
@@ -64,27 +65,28 @@ struct DifferenceCrossover {
 /// the range. Draws two random numbers for each number of the vector.
 struct BlendCrossover {
     static constexpr std::string_view name = "blend",
-                                      about = "offspring get numbers between the parents' numbers, or outside by up to "
-                                              "`alpha` times the parents' distance",
+                                      about = "the offspring's numbers are between the parents' numbers, or outside by "
+                                              "at most `alpha` times the parents' distance",
                                       source = "L. Eshelman and J. Schaffer, 1993";
     double alpha = 0.5;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"alpha", &BlendCrossover::alpha, 0, 10,
-                                       "how far outside the parents' numbers an offspring's number may be, as a "
-                                       "multiple of the parents' distance"});
+        return std::tuple(PolicyNumber{
+            "alpha", &BlendCrossover::alpha, 0, 10,
+            "how far outside the parents' numbers an offspring's number may be; unit: the parents' distance"});
     }
     static constexpr bool fits(StringKind kind) { return kind == StringKind::real; }
     void operator()(Genome& a, Genome& b, const RealVector& reals, RandomStream& random) const;
 };
 
 /// Simulated binary crossover (K. Deb and R. Agrawal, "Simulated binary crossover for continuous search space", 1995),
-/// in the form for bounded parameters (K. Deb and A. Kumar, 1995). Each number is crossed with probability 1/2: the
-/// offspring's numbers are at equal distances outside or inside the parents' numbers. The larger `index`, the nearer to
-/// the parents. Draws one number for each number of the vector, and two more if it is crossed and the parents differ.
+/// in the form for bounded parameters (K. Deb and A. Kumar, 1995). Each number is crossed with probability 1/2: the two
+/// offspring's numbers are equally far outside, or equally far inside, the parents' numbers. The larger `index` is, the
+/// nearer the offspring are to the parents. Draws one random number for each number of the vector, and two more if this
+/// number is crossed and differs between the parents.
 struct SimulatedBinaryCrossover {
     static constexpr std::string_view name = "sbx",
-                                      about = "simulated binary crossover: offspring get numbers near the parents' "
-                                              "numbers, the nearer the larger `index`",
+                                      about = "simulated binary crossover: the offspring's numbers are near the "
+                                              "parents' numbers; a larger `index` makes them nearer",
                                       source = "K. Deb and R. Agrawal, 1995";
     double index = 15;
     static constexpr auto numbers() {
@@ -99,8 +101,8 @@ private:
 };
 
 /// Order crossover (L. Davis, "Applying adaptive algorithms to epistatic domains", 1985). An offspring takes the
-/// entries between two cuts from one parent. The missing entries follow, in the order in which the other parent has
-/// them. Draws two numbers, for the cuts, as TwoPointCrossover does.
+/// entries between two cuts from one parent. The missing entries follow, in the order that they have in the other
+/// parent. Draws two numbers for the cuts, as TwoPointCrossover does.
 struct OrderCrossover {
     static constexpr std::string_view
         name = "order",
@@ -126,18 +128,19 @@ public:
 };
 
 /// The policy by which two parents produce two offspring. The mates are individuals 0 and 1, 2 and 3, and so on;
-/// reproduction has put the population in random order. With DifferenceCrossover, an individual's mate is the next
-/// unmated individual that differs from it in two bits or more; the mate is moved beside the individual.
+/// reproduction has put the population in random order. With DifferenceCrossover, the mate of an individual is the next
+/// unmated individual that differs in two bits or more; this mate is moved to the place after the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
                                BlendCrossover, SimulatedBinaryCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
 
-    /// Crosses each pair of mates with the given probability. To decide this, draws one number for each pair, besides
-    /// the policy's draws. The last individual of an odd number stays unchanged without a draw, and so do all strings
-    /// of one character. An individual for which DifferenceCrossover finds no mate stays unchanged, too. REQUIRES: all
-    /// strings belong to `representation`, and fits(representation.kind()).
+    /// Crosses each pair of mates with the given probability. Draws one number for each pair to decide whether the pair
+    /// is crossed, besides the policy's draws. In a population of odd size, the last individual stays unchanged,
+    /// without a draw. Strings of one character stay unchanged, also without a draw. An individual for which
+    /// DifferenceCrossover finds no mate stays unchanged, too. REQUIRES: all strings belong to `representation`, and
+    /// fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 

@@ -38,8 +38,8 @@ struct RandomEmigration {
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 
-/// Chooses each emigrant by a tournament: the best of `size` individuals, drawn with replacement from those not yet
-/// chosen; among equals the one drawn first. Draws at least `size` numbers for each emigrant.
+/// Chooses each emigrant by a tournament: the best of `size` individuals, drawn with replacement from the individuals
+/// not yet chosen; among equals the individual drawn first. Draws at least `size` numbers for each emigrant.
 struct TournamentEmigration {
     static constexpr std::string_view name = "tournament",
                                       about = "`count` individuals, each the best of `size` drawn at random",
@@ -76,8 +76,8 @@ public:
     std::size_t count() const;
     /// Throws UserError if count() exceeds the population.
     void validate_for(std::size_t population) const;
-    /// Returns the indices of the individuals that leave. Throws as validate_for(). REQUIRES: every fitness is a finite
-    /// number.
+    /// Returns the indices of the individuals that leave. Throws what validate_for() throws. REQUIRES: every fitness is
+    /// a finite number.
     std::vector<std::size_t> operator()(std::span<const double> fitness, RandomStream& random) const;
 };
 

@@ -25,7 +25,7 @@ struct ErrorsOfBest {
 /// The matrix of Figure 5.2. Row i and column j hold Error(w_i, A_j), the error of A_j over the newest w_i samples.
 class ErrorMatrix {
 public:
-    /// How the errors at the samples of a window become one Error(w_i, A_j).
+    /// How Error(w_i, A_j) is computed from the errors at the samples of a window.
     enum class Sum : unsigned char {
         squares, ///< sum of (y - y-hat)^2, as in the fitness of eq. 5.1
         plain,   ///< |sum of (y - y-hat)|, as printed in eq. 5.2 and 5.3; errors of opposite signs cancel
@@ -35,7 +35,7 @@ public:
     enum class Normaliser : unsigned char {
         column, ///< Error(w_j, A_j), as printed in eq. 5.3 and 5.4: the error of the same individual in its own
                 ///< island's window
-        row,    ///< Error(w_i, A_i): the error, in the same window, of this window's own best individual
+        row,    ///< Error(w_i, A_i): the error of island i's own best individual, in the same window
     };
 
     /// REQUIRES: `bests` has one individual for each window, with an error at each sample of the longest window.
@@ -47,9 +47,9 @@ public:
     /// zero errors is 1. Errors above 1e100, and NaN, count as 1e100.
     double normalised(std::size_t window, std::size_t island, Normaliser normaliser) const;
 
-    /// Returns SA_j of eq. 5.3: the sum of column j, that is, over all windows.
+    /// Returns SA_j of eq. 5.3: the sum of column j, over all windows.
     double sum_over_windows(std::size_t island, Normaliser normaliser) const;
-    /// Returns Sw_i of eq. 5.4: the sum of row i, that is, over all individuals.
+    /// Returns Sw_i of eq. 5.4: the sum of row i, over all individuals.
     double sum_over_islands(std::size_t window, Normaliser normaliser) const;
     /// Returns Sw_i / SA_i of eq. 5.7.
     double ratio(std::size_t island, Normaliser normaliser) const;

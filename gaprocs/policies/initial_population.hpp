@@ -40,7 +40,7 @@ public:
         return tried([&] {
             std::vector<Genome> strings = begin_(population, representation, random);
             require(strings.size() <= population && representation.holds(strings),
-                    "it must return valid strings of the problem, at most as many as the population has");
+                    "it must return valid strings of the problem, and not more than the population has individuals");
             return strings;
         });
     }

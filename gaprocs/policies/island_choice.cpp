@@ -50,16 +50,16 @@ std::size_t RandomChoice::operator()(const ErrorsOfBest& bests, RandomStream& ra
 std::size_t OwnChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {
     return tried([&] {
         std::size_t island = choose_(bests, random);
-        require(island < bests.windows.size(), "it chose an island that does not exist; the islands count from 0");
+        require(island < bests.windows.size(), "it chose an island that does not exist; islands are numbered from 0");
         return island;
     });
 }
 
 void IslandChoice::validate_for(std::size_t islands) const {
     if (auto fixed = std::get_if<FixedChoice>(&policy()); fixed && fixed->island >= islands)
-        throw UserError(fmt::format(
-            "the answer is to come from island {}, but the number of islands is {}; expected an island from 0 to {}",
-            fixed->island, islands, islands - 1));
+        throw UserError(
+            fmt::format("the choice is island {}, but the number of islands is {}; expected an island from 0 to {}",
+                        fixed->island, islands, islands - 1));
 }
 
 std::size_t IslandChoice::operator()(const ErrorsOfBest& bests, RandomStream& random) const {

@@ -52,11 +52,12 @@ struct MeansChoice {
 };
 
 /// Chooses as PrintedChoice does, but divides Error(w_i, A_j) by Error(w_i, A_i). So each term of Sw_i compares the
-/// best individual of an island with that of island i, in the same window. Sums and means give the same choice.
+/// best individual of one island with the best individual of island i, in the same window. Sums and means give the same
+/// choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
-                                      about = "greatest ratio Sw/SA, with each error divided by that of the row's own "
-                                              "island; sums and means give the same choice",
+                                      about = "greatest ratio Sw/SA, with each error divided by the error of the row's "
+                                              "own island; sums and means give the same choice",
                                       source = "an interpretation of thesis eq. 5.3 and 5.4";
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
@@ -69,7 +70,7 @@ struct FixedChoice {
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"island", &FixedChoice::island, 0, 1e6, "from 0"});
     }
-    /// Throws as IslandChoice::validate_for().
+    /// Throws what IslandChoice::validate_for() throws.
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 

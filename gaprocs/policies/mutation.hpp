@@ -39,14 +39,13 @@ struct BitMutation {
 };
 
 /// Flips bits with the same distribution as BitMutation, but with fewer draws. Draws geometrically distributed
-/// distances from one flipped bit to the next, until a distance leads past the end of the population. So it draws one
-/// number for each flip, and one more. REQUIRES: all strings have the same length.
+/// distances from one flipped bit to the next, until a distance leads past the end of the population: one number for
+/// each flipped bit, and one more at the end. REQUIRES: all strings have the same length.
 struct DistanceMutation {
-    static constexpr std::string_view
-        name = "distance",
-        about =
-            "bits are flipped as with bit, but a random number is drawn only for the distance to the next flipped bit",
-        source = "thesis 1.1, with other random draws";
+    static constexpr std::string_view name = "distance",
+                                      about = "bits are flipped as by bit mutation, but a random number is drawn only "
+                                              "for the distance to the next flipped bit",
+                                      source = "thesis 1.1, with other random draws";
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
 
     double probability = 0.01;
@@ -91,13 +90,13 @@ struct BreederMutation {
                     RandomStream& random) const;
 };
 
-/// Adds a step of either sign, which never leaves the range; small steps are the more likely the larger `index` (K. Deb
+/// Adds a step of either sign that never leaves the range. The larger `index` is, the likelier are small steps (K. Deb
 /// and M. Goyal, "A combined genetic adaptive search (GeneAS) for engineering design", 1996). Draws one number.
 struct PolynomialMutation {
-    static constexpr std::string_view name = "polynomial",
-                                      about = "a step within the parameter's bounds is added, the smaller the larger "
-                                              "`index`",
-                                      source = "K. Deb and M. Goyal, 1996";
+    static constexpr std::string_view
+        name = "polynomial",
+        about = "a step within the parameter's bounds is added; a larger `index` makes it smaller",
+        source = "K. Deb and M. Goyal, 1996";
     double index = 20;
     static constexpr auto numbers() {
         return std::tuple(
@@ -117,7 +116,7 @@ struct UniformMutation {
                     RandomStream& random) const;
 };
 
-/// Exchanges the entry at this position with that at another, random position. Draws one number.
+/// Exchanges the entry at this position with the entry at another, random position. Draws one number.
 struct SwapMutation {
     static constexpr std::string_view name = "swap", about = "two elements of the permutation are exchanged",
                                       source = "not in the thesis";
@@ -159,9 +158,9 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
-    /// Mutates each position of each string with the given probability. To decide this, draws one number for each
-    /// position, besides the policy's draws; BitMutation and DistanceMutation decide by their own draws alone. A
-    /// permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
+    /// Mutates each position of each string with the given probability. Draws one number for each position to decide
+    /// whether it mutates, besides the policy's draws; BitMutation and DistanceMutation decide by their own draws
+    /// alone. A permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

@@ -22,12 +22,13 @@ namespace {
 /// Each row has the members of a Form, in their order.
 const std::vector<Form> forms{
     {"representation", "permutation",
-     "a permutation: each element of the problem, such as a city, once; only for problems that ask for an order",
+     "a permutation: it contains each element of the problem, such as a city, once; only for problems that ask for an "
+     "order",
      "problem = \"tour-circle(cities = 12)\"", "not in the thesis",
      "run examples/genetic/own-problem/tin.cfs --set 'problem=\"tour-circle(cities = 12)\"' --set "
      "'master.coding=\"natural\"'"},
     {"initial-population", "predefined",
-     "strings read from a file, one in each line; if the file has too few, the others are drawn at random",
+     "strings read from a file, one in each line; if the file has too few strings, the others are drawn at random",
      "initial = \"first.txt\"", "thesis 6.3, predefined populations",
      "run examples/thesis/table-e1/cluster.cfs --set 'master.initial=\"examples/thesis/table-e1/first.txt\"'"},
     {"fitness", "squared-error",
@@ -97,7 +98,7 @@ std::vector<Noun> policy_nouns() {
     std::vector<Noun> nouns{
         noun_of<Coding>({"encoding", "genome"}),
         noun_of<InitialPopulation>({"population"}),
-        {"fitness", "how good an individual is, which the problem decides"},
+        {"fitness", "how good an individual is; the problem defines it"},
         {"window",
          "the samples of a record over which the fitness is summed, and the number of generations for each sample"},
         noun_of<Reproduction>(),
@@ -111,7 +112,7 @@ std::vector<Noun> policy_nouns() {
         {"distributed-fitness", "whether islands have the same window and population", {"population"}},
         noun_of<IslandChoice>({"active-error-analysis", "error-matrix"}),
         {"coarse-fine",
-         "two searches: the coarse search covers a coarse grid, the fine search the surroundings of the coarse "
+         "two searches: the coarse search covers a coarse grid; the fine search covers the surroundings of the coarse "
          "search's best point",
          {"coarse/fine", "pair"}},
         {"farm",

@@ -27,13 +27,14 @@ struct Noun {
     /// Other words for the aspect, such as "migration". Several aspects may share a word.
     std::vector<std::string> also_called = {};
     std::vector<PolicyDescription> policies = {};
-    /// Takes the text of a policy, and returns the text with all numbers of the policy. Throws UserError as
+    /// Takes the text of a policy, and returns the text with all numbers of the policy. Throws the UserErrors of
     /// read_policy(). REQUIRES: the aspect has policies.
     std::function<std::string(const std::string&)> printed = {};
     std::vector<Form> forms = {};
 };
 
-/// Returns all aspects: first the aspects of one population, then of islands, of a pair of searches, and of a farm.
+/// Returns all aspects: first the aspects of one population, then the aspects of islands, of a pair of searches, and of
+/// a farm.
 std::vector<Noun> policy_nouns();
 
 } // namespace placedpar

@@ -18,7 +18,7 @@ public:
         return tried([&] { return fits_(kind); });
     }
     /// Crosses or mutates as the call operators of Crossover and Mutation do. Throws UserError if the user's code
-    /// throws, or if an individual is afterwards not a string of the representation.
+    /// throws, or if it leaves an individual that is not a string of the representation.
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const {
         tried([&] {

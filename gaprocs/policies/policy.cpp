@@ -52,8 +52,8 @@ std::size_t index_of(std::string_view name, const std::vector<PolicyDescription>
     if (found != names.end())
         return static_cast<std::size_t>(found - names.begin());
     auto guess = did_you_mean(name, names);
-    throw UserError(
-        fmt::format("it is one of {}{}", fmt::join(texts_of(known), ", "), guess.empty() ? "" : "; " + guess));
+    throw UserError(fmt::format("\"{}\" is not one of {}{}", name, fmt::join(texts_of(known), ", "),
+                                guess.empty() ? "" : "; " + guess));
 }
 
 double read_number(std::string_view text, const PolicyNumberDescription& number) {
@@ -149,7 +149,7 @@ void require_policy_fits(const PolicyDescription& added, std::string_view noun,
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
     };
     if (added.name.empty() || !std::ranges::all_of(added.name, may_be_in_a_name))
-        refuse("a name is made of a to z, 0 to 9, \".\" and \"-\"");
+        refuse("a name may contain only a to z, 0 to 9, \".\" and \"-\"");
     if (added.name == "usual" || std::ranges::count(known, added.name, &PolicyDescription::name) > 0)
         refuse(fmt::format("this name is taken: choose another name, such as \"own.{}\"",
                            added.name.substr(added.name.rfind('.') + 1)));

@@ -65,13 +65,14 @@ struct PolicyDescription {
 
 /// A policy that was read from a text, with its numbers.
 struct NamedPolicy {
-    std::size_t index;           ///< index of the policy among the known policies
-    std::vector<double> numbers; ///< values of all numbers of the policy; default values for those that the text omits
+    std::size_t index; ///< index of the policy among the known policies
+    std::vector<double>
+        numbers; ///< values of all numbers of the policy; a number that the text omits has its default value
 };
 
-/// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError, with what would
-/// be right, if the text has another form, names an unknown policy or number, or has too many numbers. Also throws it
-/// if a number is given twice or is out of range.
+/// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws a UserError that says what
+/// would be right if the text has another form, names an unknown policy or number, or has too many numbers. Throws it
+/// also if a number is given twice or is out of range.
 NamedPolicy read_policy(std::string_view text, const std::vector<PolicyDescription>& known);
 
 /// Returns Policy::numbers(), or an empty tuple if there is no such function. `Policy` may also be a problem.
@@ -164,8 +165,8 @@ private:
 void require_policy_fits(const PolicyDescription& added, std::string_view noun,
                          const std::vector<PolicyDescription>& known);
 
-/// Holds one of several policies; by default the first, with its default numbers. `Step` is the class derived from
-/// OneOf.
+/// Holds one of several policies; by default, the first policy of the list with its default numbers. `Step` is the
+/// class derived from OneOf.
 template <class Step, class... Policies>
 class OneOf {
 public:
@@ -182,14 +183,14 @@ public:
     template <class Policy>
     constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
-    /// Returns the step with the policy that a text names. Throws as read_policy().
+    /// Returns the step with the policy that a text names. Throws what read_policy() throws.
     static Step named(std::string_view text) {
         NamedPolicy named = read_policy(text, descriptions());
         return known()[named.index].make(named.numbers);
     }
-    /// Adds a user-defined policy; named() then accepts its name. Throws as require_policy_fits(). If the policy's
-    /// constructor throws anything, add() or named() throws UserError. REQUIRES: called by one thread, before a search
-    /// begins.
+    /// Adds a user-defined policy; named() then accepts its name. Throws what require_policy_fits() throws. If the
+    /// policy's constructor throws anything, add() or named() throws UserError. REQUIRES: called by one thread, before
+    /// a search begins.
     template <class Policy>
     static void add() requires std::derived_from<Own, OwnPolicy> {
         auto whose = [] { return "the policy \"" + std::string(Policy::name) + "\" for " + std::string(Step::noun); };

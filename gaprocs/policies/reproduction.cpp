@@ -104,7 +104,7 @@ Parents OwnReproduction::operator()(std::span<const double> fitness, std::size_t
         Parents parents = choose_(fitness, count, random);
         auto there_is = [&](std::size_t parent) { return parent < fitness.size(); };
         require(!parents || (parents->size() == count && std::ranges::all_of(*parents, there_is)),
-                "it must choose as many parents as asked for, all from the population");
+                "it must choose exactly the requested number of parents, all from the population");
         return parents;
     });
 }

@@ -15,7 +15,8 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The indices of the parents; nothing if no individual may become a parent. In that case no number is drawn.
+/// The indices of the parents; nothing if no individual may become a parent. If there are no parents, no number is
+/// drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
 /// Parents are drawn with replacement, individual i with a probability proportional to max(f_i, 0). So individuals
@@ -27,13 +28,14 @@ struct RouletteReproduction {
         source = "thesis 1.1 and 3.1.1, step 4";
     static constexpr bool needs_positive_fitness = true;
 
-    /// Draws one number for each parent. Throws as RouletteWheel.
+    /// Draws one number for each parent. Throws what the constructor of RouletteWheel throws.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
 /// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
-/// spin of a wheel with `count` evenly spaced balls. If roulette makes e copies of an individual on average, this
-/// policy makes floor(e) or ceil(e) copies. The parents are then shuffled, because crossover takes neighbours as mates.
+/// spin of a wheel with `count` evenly spaced balls. If RouletteReproduction chooses an individual e times on average,
+/// this policy chooses it floor(e) or ceil(e) times. The parents are then shuffled, because crossover takes neighbours
+/// as mates.
 struct UniversalReproduction {
     static constexpr std::string_view
         name = "universal",
@@ -41,7 +43,8 @@ struct UniversalReproduction {
         source = "J. Baker, 1987";
     static constexpr bool needs_positive_fitness = true;
 
-    /// Draws one number for the spin, and at least count - 1 for the shuffle. Throws as RouletteWheel.
+    /// Draws one number for the spin, and at least count - 1 for the shuffle. Throws what the constructor of
+    /// RouletteWheel throws.
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
@@ -85,8 +88,8 @@ struct RankingReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// Chooses each parent by a tournament: the best of `size` individuals, drawn with replacement; among equals the one
-/// drawn first.
+/// Chooses each parent by a tournament: the best of `size` individuals, drawn with replacement; among equals the
+/// individual drawn first.
 struct TournamentReproduction {
     static constexpr std::string_view
         name = "tournament",

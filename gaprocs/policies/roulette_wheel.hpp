@@ -20,8 +20,8 @@ public:
     std::size_t sector(double turn) const;
     /// Returns the sectors of several balls, faster than separate calls of sector(). REQUIRES: what sector() requires.
     std::vector<std::size_t> sectors(std::vector<double> turns) const;
-    /// Returns the sectors of `balls` evenly spaced balls, of which the first lies at turn / balls. REQUIRES: what
-    /// sector() requires.
+    /// Returns the sectors of `balls` evenly spaced balls; the first ball lies at turn / balls. REQUIRES: what sector()
+    /// requires.
     std::vector<std::size_t> sectors(std::size_t balls, double turn) const;
 
 private:

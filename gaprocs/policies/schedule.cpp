@@ -49,7 +49,7 @@ std::span<const std::size_t> OwnSchedule::operator()(std::uint64_t exchange,
         const std::size_t *begin = neighbours.data(), *end = begin + neighbours.size();
         require(chosen.empty() ||
                     (!std::less<>()(chosen.data(), begin) && !std::less<>()(end, chosen.data() + chosen.size())),
-                "it must return neighbours that are adjacent in the given list");
+                "it must return a contiguous part of the given list of neighbours");
         return chosen;
     });
 }

@@ -28,8 +28,9 @@ struct BroadcastSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Sends to the first neighbour at the first exchange, to the second at the second, and so on; after the last neighbour
-/// comes the first again. In a hypercube of two dimensions the neighbours are i xor 1 and i xor 2 (thesis 5.3.2).
+/// Sends to the first neighbour at the first exchange, to the second neighbour at the second exchange, and so on; after
+/// the last neighbour, the first neighbour follows again. In a hypercube of two dimensions the neighbours are i xor 1
+/// and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view
         name = "sequential",
@@ -42,9 +43,9 @@ struct SequentialSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// Sends to all neighbours; no island waits for another. An island accepts the emigrants that have arrived, and of
-/// those from one neighbour only the latest. Which emigrants have arrived depends on simulated times, and is the same
-/// in every run.
+/// Sends to all neighbours; no island waits for another. An island accepts the emigrants that have arrived. If
+/// emigrants of several exchanges have arrived from one neighbour, it accepts only the latest. Which emigrants have
+/// arrived depends only on simulated times, so it is the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view
         name = "asynchronous",
@@ -58,7 +59,7 @@ struct AsynchronousSchedule {
 };
 
 /// A user-defined struct with `every` as its first number, and a call operator like those above. The call operator
-/// returns neighbours that are adjacent in the list. The result may depend only on the arguments, because both the
+/// returns a contiguous part of the list of neighbours. The result may depend only on the arguments, because both the
 /// sending and the receiving island call the operator. Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
@@ -87,7 +88,8 @@ public:
     bool in_step() const { return !std::holds_alternative<AsynchronousSchedule>(policy()); }
     /// Returns whether the schedule is sequential: emigrants go to one neighbour at each exchange.
     bool takes_turns() const { return std::holds_alternative<SequentialSchedule>(policy()); }
-    /// Returns whether the schedule is user-defined. Its destinations then cannot be known in advance.
+    /// Returns whether the schedule is user-defined. The destinations of a user-defined schedule cannot be known in
+    /// advance.
     bool is_own() const { return std::holds_alternative<OwnSchedule>(policy()); }
     /// Returns whether an exchange follows the evaluation of the given generation.
     bool is_due(std::uint64_t generation) const { return generation > 0 && generation % every() == 0; }

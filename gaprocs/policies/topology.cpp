@@ -62,7 +62,7 @@ Neighbours reversed(const Neighbours& neighbours) {
     return back;
 }
 
-/// Returns the neighbours with each connection made in both directions.
+/// Returns the neighbours that the islands would have if each connection led in both directions.
 Neighbours both_ways(const Neighbours& neighbours) {
     Neighbours both = reversed(neighbours);
     for (std::size_t i = 0; i < neighbours.size(); ++i)

@@ -63,11 +63,11 @@ struct TorusTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// Connects island 0 with each other island, in both directions.
+/// Connects island 0 with every other island, in both directions.
 struct StarTopology {
     static constexpr std::string_view
         name = "star",
-        about = "island 0 exchanges with each other island; these do not exchange with each other",
+        about = "island 0 exchanges with every other island; the other islands exchange only with island 0",
         source = "not in the thesis";
     Neighbours operator()(std::size_t islands) const;
 };
@@ -99,7 +99,7 @@ struct GivenTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// A user-defined struct with a call operator like those above. The returned neighbours are checked as those of
+/// A user-defined struct with a call operator like those above. The returned neighbours are checked like the list of a
 /// GivenTopology.
 class OwnTopology : public OwnPolicy {
 public:
@@ -123,14 +123,14 @@ public:
     bool is_given() const { return std::holds_alternative<GivenTopology>(policy()); }
     /// Returns whether islands exchange individuals: false for "none".
     bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
-    /// Throws UserError, with what would be right, if `islands` is 0 or there is no such topology of `islands` islands.
-    /// Throws it also if an island neither sends nor receives, except in the topology "none".
+    /// Throws a UserError that says what would be right if `islands` is 0 or there is no such topology of `islands`
+    /// islands. Throws it also if an island neither sends nor receives, except in the topology "none".
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns each island's distance from the island `from`: the number of exchanges in which an individual gets from
-/// there to the island, if each island sends to all its neighbours. The distance is absent if individuals of `from`
-/// never reach the island. REQUIRES: from < neighbours.size().
+/// Returns each island's distance from the island `from`: the number of exchanges that an individual needs to reach the
+/// island, if each island sends to all its neighbours. The distance is absent if individuals of `from` never reach the
+/// island. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
 /// Returns the connected parts of the topology, ordered by their first islands. No individual moves from one part to

@@ -80,7 +80,7 @@ private:
         return reports;
     }
 
-    /// Receives samples from the host until `count` have come, the number that an island states in its report.
+    /// Receives samples from the host until their number is `count`, which an island states in its report.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);
@@ -138,8 +138,8 @@ private:
     std::size_t answers_ = 0;
 };
 
-/// Runs an analyst with the problem and the coding of the first island. check_islands() has made sure that all islands
-/// that exchange have the same.
+/// Runs an analyst with the problem and the coding of the first island. check_islands() has checked that all islands
+/// that exchange have the same problem and coding.
 void run_analyst(ProcessEnvironment& environment, const ProblemRegistry& problems, SearchObserver* observer) {
     const Network& network = environment.network();
     std::size_t first = peers_at(network, environment.index(), "from_islands").front().process;
@@ -160,8 +160,9 @@ ProcessKind analyst_kind(const ProblemRegistry& problems, SearchObserver* observ
                  "chooses the island whose best individual is the answer of all islands, and keeps this answer until "
                  "the next exchange. The islands do not change.",
         .ports = {from_host(), input<EstimateMessage>("from_islands", "estimate", "an array: one end for each island")},
-        .parameters = {policy<IslandChoice>("choice", "row",
-                                            "how the island is chosen; islands are in the order of from_islands"),
+        .parameters = {policy<IslandChoice>(
+                           "choice", "row",
+                           "how the island is chosen; islands are numbered in the order of from_islands"),
                        cycles_per_error()},
         .measurements = {{"answers", "",
                           "number of answers; the first is given when the windows of all islands are full"},

@@ -5,6 +5,7 @@
 #include "gaprocs/processes/island_run.hpp"
 #include "gaprocs/processes/kind_checks.hpp"
 #include "gaprocs/processes/peers.hpp"
+#include "text/counted.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -51,8 +52,8 @@ private:
     }
 
     void check_steps() {
-        const char* why = "an analyst compares the best individuals of the same generation; only islands that exchange "
-                          "in step report these";
+        const char* why = "an analyst compares best individuals of the same generation: its islands must exchange with "
+                          "each other, and not asynchronously";
         if (!schedule_of(instance(first_island())).in_step())
             return refuse("", "islands with an asynchronous schedule are not all in the same generation", why);
         Archipelago archipelago(network_);
@@ -111,8 +112,8 @@ private:
         if (last > 0 && run->samples_at(last) >= longest_window())
             return;
         std::string why = last == 0
-                              ? fmt::format("the first exchange is due after {} generations, but the run has only {}",
-                                            every, run->generations())
+                              ? fmt::format("the first exchange is due after {}, but the run has only {}",
+                                            counted(every, "generation"), run->generations())
                               : fmt::format("the last exchange comes after {} samples, but the longest window needs {}",
                                             run->samples_at(last), longest_window());
         complaints_.push_back({analyst_, "", fmt::format("\"{}\" gives no answer: {}", name(analyst_), why), "", true});

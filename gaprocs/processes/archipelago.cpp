@@ -64,8 +64,8 @@ void Archipelago::add_neighbour(const Network& network, PlacedIsland& self, cons
         self.neighbours.push_back(number->second);
 }
 
-/// Puts the island's neighbours in the order of the named topology `text`, if that has exactly these neighbours.
-/// Otherwise keeps the order of the connections.
+/// Puts the island's neighbours in the order of the named topology `text`, if the topology gives the island exactly
+/// these neighbours. Otherwise keeps the order of the connections.
 void Archipelago::order_neighbours(const std::string& text, std::size_t island) {
     auto [known, is_new] = topologies_.try_emplace(text);
     NamedTopology& named = known->second;
@@ -92,8 +92,8 @@ void Archipelago::add_parts(const Network& network) {
         }
 }
 
-/// An entry is removed when no island holds the archipelago any more. While an island does, the network exists, so no
-/// other network can have the same address.
+/// An entry is removed when no island holds the archipelago any more. While an island holds it, the network exists, so
+/// no other network can have the same address.
 std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
     static std::mutex one_at_a_time;
     static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;

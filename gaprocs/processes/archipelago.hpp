@@ -30,9 +30,9 @@ struct NamedTopology {
 };
 
 /// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
-/// declarations. An island's neighbours are in the order of the topology that the island names, if it has the same
-/// neighbours; otherwise in the order of the connections. The constructor reads the whole netlist, so all islands share
-/// one archipelago.
+/// declarations. If an island names a topology that gives it the same neighbours as its connections, its neighbours are
+/// in the order of this topology; otherwise they are in the order of the connections. The constructor reads the whole
+/// netlist, so all islands share one archipelago.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);

@@ -9,7 +9,7 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// One end of the channel between the two searches of a pair (see CoarseFine, gaprocs/coarse_fine.hpp). In each
+/// An end of the channel between the two searches of a pair (see CoarseFine, gaprocs/coarse_fine.hpp). In each
 /// generation the coarse search sends its best string, the bias point. The fine search receives the bias point before
 /// it evaluates the same generation.
 class BiasPointEnd {

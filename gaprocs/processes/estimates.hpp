@@ -15,8 +15,8 @@
 namespace placedpar {
 
 /// Collects the estimates that searches send to their host. Measures response times: a response time begins when a
-/// search has taken a sample, and ends when the search's estimate after this sample arrives. Also measures the time
-/// after which the fittest estimate stays accurate.
+/// search has taken a sample, and ends when the search's estimate after this sample arrives. Also measures from which
+/// time on the fittest estimate is always accurate.
 class Estimates {
 public:
     /// REQUIRES: the network has passed check_host(), so each estimate comes from a search that gets its samples from
@@ -33,10 +33,11 @@ public:
     /// parallel with the processes that send samples: a search takes no further sample until its estimate has been
     /// received.
     void receive(std::size_t search, const std::function<void(std::size_t samples)>& received);
-    /// Returns the parameters of the fittest of the searches' last estimates. REQUIRES: an estimate has been received.
+    /// Compares the last estimates of all searches, and returns the parameters of the fittest. REQUIRES: an estimate
+    /// has been received.
     std::vector<double> fittest_values() const { return values_of(fittest()); }
-    /// Reports the number of estimates, the response times and the fittest of the searches' last estimates as
-    /// measurements. Does nothing if no search sends estimates.
+    /// Reports as measurements: the number of estimates, the response times, and the fittest of the last estimates of
+    /// all searches. Does nothing if no search sends estimates.
     void report() const;
 
 private:
@@ -58,13 +59,13 @@ private:
     const ProblemRegistry& problems_;
     std::vector<std::size_t> processes_;         ///< index in Network::processes, by search
     std::vector<Input<EstimateMessage>> inputs_; ///< by search
-    std::vector<EstimateMessage> last_;          ///< last estimate, by search; generation 0: no estimate yet
+    std::vector<EstimateMessage> last_; ///< last estimate, by search; its generation is 0 if there is no estimate yet
     // Times are compared only after the run, because parallel processes may note them in any order.
     std::map<std::size_t, std::vector<Time>> taken_{}; ///< times at which the process took its first, second, ...
                                                        ///< sample, by process
     std::vector<std::vector<Answer>> answers_;         ///< by search
     double accuracy_;                      ///< largest relative error of an accurate estimate; 0: not checked
-    std::optional<Time> accurate_since_{}; ///< time since which the fittest estimate has always been accurate
+    std::optional<Time> accurate_since_{}; ///< time from which on the fittest estimate has always been accurate
 };
 
 /// Reports the individual's fitness or objective, and its parameters, as measurements of the process. `values`: the

@@ -83,7 +83,7 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// Receives the results of all slaves. If results come in order, the nearest slave's result is the last on each
+/// Receives the results of all slaves. With Settings::results_in_order, the nearest slave's result is the last on each
 /// channel.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
@@ -99,7 +99,7 @@ void Farm::take_from_all(std::vector<double>& fitness) {
         }
 }
 
-/// Makes a task, and spends the time of copying the strings and converting the measurements word by word.
+/// Makes a task, and spends the simulated time for copying the strings and converting the measurements word by word.
 Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std::span<const Genome> population,
                      bool measurements) {
     Task task;
@@ -122,7 +122,7 @@ Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std
     return task;
 }
 
-/// Adds the terms of a result to the fitness, and spends the time of copying the message.
+/// Adds the terms of a result to the fitness, and spends the simulated time for copying the message.
 void Farm::take(const Fitnesses& result, std::vector<double>& fitness) {
     compute(block_move(result.bytes));
     add_terms(result.share, result.terms, fitness);

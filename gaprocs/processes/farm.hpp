@@ -13,9 +13,9 @@
 namespace placedpar {
 
 /// The master's part of algorithm A: evaluates a population with the help of slaves. Master and slaves form a tree,
-/// such as a chain or a star; slaves pass on messages for the slaves behind them. In each generation the master sends
-/// the tasks, those for the nearest slaves first, evaluates its own share, then receives the results. Without slaves
-/// the master evaluates all individuals.
+/// such as a chain or a star; slaves pass on messages for the slaves behind them. In each generation the master first
+/// sends the tasks, beginning with the nearest slaves, then evaluates its own share, then receives the results. Without
+/// slaves the master evaluates all individuals.
 ///
 /// The fitness does not depend on the number of slaves, on their connections, or on the process that evaluates an
 /// individual (see fitness.hpp).
@@ -25,27 +25,28 @@ public:
         std::size_t slaves = 0;
         SlaveRoutes routes = {};
         Split split = Split::individuals;
-        double own_share = 1; ///< ratio of the master's share to a slave's share, 0 ... 1; not used by Split::demand
+        double own_share = 1; ///< ratio of the master's share to a slave's share, 0 ... 1; ignored with Split::demand
         Sending sending = Sending::in_turn;
-        std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of a slave; more than 1 only with
-                                         ///< Split::demand
+        std::size_t tasks_under_way = 1; ///< largest number of tasks that a slave may have before it answers the first;
+                                         ///< more than 1 only with Split::demand
         bool measurements_every_generation =
-            false;                     ///< true: send the window in every generation; false: only after measure()
-        bool results_in_order = false; ///< true: receive all results on one channel, the farthest slave's first, then
-                                       ///< those on the next; false: receive each result when it is ready
+            false; ///< true: send the window in every generation; false: only after measure()
+        bool results_in_order =
+            false; ///< true: receive all results of one channel, beginning with the farthest slave, then the results of
+                   ///< the next channel; false: receive each result when it is ready
         double bias = 0;
     };
 
     Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
          std::vector<Input<Fitnesses>> from_slaves);
 
-    /// Sets the window of measurements. Each slave receives it with the slave's next task.
+    /// Sets the window of measurements. Each slave receives the window with its next task.
     void measure(Window);
     /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
     /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured C_time2
-    /// in this way. With Split::demand the slaves together get slaves/(slaves + 1) of the individuals. REQUIRES: slaves
-    /// > 0.
+    /// in this way. With Split::demand, the slaves together receive the fraction slaves/(slaves + 1) of the
+    /// individuals. REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
     void end();
 

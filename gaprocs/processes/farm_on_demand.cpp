@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Keeps account of a generation in which individuals are dealt out one by one, each to an idle evaluator: a slave or
-/// the master's own evaluator. The master's evaluator is a process of low priority on the master's processor.
+/// Tracks a generation in which individuals are dealt out one by one, each to an idle evaluator: a slave or the
+/// master's own evaluator. The master's evaluator is a process of low priority on the master's processor.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
@@ -23,7 +23,8 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// Returns true if new measurements have to be sent with the slave's next task, that is, with the first.
+    /// Returns true if new measurements must be sent with the slave's next task; this is its first task of the
+    /// generation.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;
@@ -102,7 +103,7 @@ void Farm::rehearse_on_demand(std::span<const Genome> population, std::vector<do
     });
 }
 
-/// Sends tasks to each slave until it has the largest allowed number of unanswered tasks.
+/// Sends tasks to each slave until the slave has the largest allowed number of unanswered tasks.
 void Farm::deal_to_slaves(Dealer& dealer, Task::Kind kind, std::span<const Genome> population) {
     for (std::size_t task = 0; task < settings_.tasks_under_way; ++task)
         for (std::size_t slave : in_turn_)

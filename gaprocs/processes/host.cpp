@@ -161,7 +161,8 @@ private:
     }
 
     static constexpr std::size_t no_more = std::numeric_limits<std::size_t>::max();
-    static constexpr std::uint32_t finding_bytes = 16; ///< sample, time and a parameter of 8 bytes
+    static constexpr std::uint32_t finding_bytes =
+        16; ///< 4 bytes for the sample's number, 4 for the time, 8 for a parameter
 
     ProcessEnvironment& environment_;
     const RecordedProblem& recorded_;
@@ -185,7 +186,7 @@ std::vector<MeasurementDescription> host_measurements() {
         {"to_masters", "ms",
          "mean time from when the host has a sample until all masters have it; absent without sensors"},
         {"longest_to_masters", "ms", "the longest of these times"},
-        {"estimates", "", "number of estimates that came back"},
+        {"estimates", "", "number of estimates received"},
         {"response", "ms", "mean time from when a master took a sample until its estimate arrived"},
         {"longest_response", "ms", "the longest response"},
         {"accurate_after", "ms",
@@ -211,20 +212,20 @@ ProcessKind host_kind(const ProblemRegistry& problems) {
                   optional(input<EstimateMessage>("from_masters", "estimate",
                                                   "an array: one end for each master whose estimates come back")),
                   optional(input<HostMessage>("from_sensors", "host message",
-                                              "samples that ga.sensors reads, in place of the record's")),
+                                              "samples that ga.sensors reads; they replace the samples of the record")),
                   optional(
                       output<Finding>("to_alarm", "finding",
                                       "the fittest estimate after each sample, sent when all estimates have arrived"))},
-        .parameters =
-            {problem(),
-             integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
-                     "how many samples of the record are sent; 0: all"),
-             integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
-                     "number of generations for a problem without a record; the host requests each by an empty sample"),
-             bytes_in_message("sample_bytes", 16, "a sample in a message"),
-             real("accuracy", {.by_default = 0, .least = 0, .most = 1},
-                  "greatest relative error of an accurate estimate, against the true parameters of a "
-                  "simulated record; 0: not checked")},
+        .parameters = {problem(),
+                       integer("samples", {.unit = "samples", .by_default = 0, .least = 0, .most = 1e9},
+                               "number of samples of the record that are sent; 0: all"),
+                       integer("generations", {.unit = "generations", .by_default = 100, .least = 1, .most = 1e7},
+                               "number of generations for a problem without a record; the host requests each "
+                               "generation by an empty sample"),
+                       bytes_in_message("sample_bytes", 16, "size of a sample in a message"),
+                       real("accuracy", {.by_default = 0, .least = 0, .most = 1},
+                            "an estimate is accurate if the relative error of each parameter is at most this number; "
+                            "only for a simulated record, whose true parameters are known; 0: not checked")},
         .measurements = host_measurements(),
         .body = [&problems](ProcessEnvironment& environment) { Host(environment, problems).run(); },
         .check = [&problems](const Network& network,

@@ -22,18 +22,18 @@ namespace {
 using namespace search_description;
 
 Parameters exchange_parameters() {
-    return {description::deciding(
-                "schedule",
-                description::integer(
-                    "exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
-                    "how often the islands exchange individuals (thesis 4.3), if the schedule does not state it")),
-            policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours"),
-            policy<Emigration>("emigration", Emigration().text(), "which individuals leave as copies, and how many"),
-            policy<Acceptance>("acceptance", Acceptance().text(), "which individual an immigrant replaces"),
-            policy<Topology>(
-                "topology", "given",
-                "\"given\": the neighbours are the islands connected to the ports; another name: a topology of all "
-                "islands, numbered in the order of declaration, which must agree with the connections")};
+    return {
+        description::deciding(
+            "schedule",
+            description::integer(
+                "exchange_every", {.unit = "generations", .by_default = 3, .least = 1, .most = 1e6},
+                "number of generations from one exchange to the next (thesis 4.3), if the schedule does not state it")),
+        policy<Schedule>("schedule", "broadcast", "when emigrants leave, and to which neighbours they go"),
+        policy<Emigration>("emigration", Emigration().text(), "which individuals leave as copies, and how many"),
+        policy<Acceptance>("acceptance", Acceptance().text(), "which individual an immigrant replaces"),
+        policy<Topology>("topology", "given",
+                         "\"given\": the neighbours are the islands connected to the ports; another name: the topology "
+                         "of all islands, numbered in the order of declaration; the connections must agree with it")};
 }
 
 PortDescription to_neighbours() {

@@ -91,14 +91,14 @@ private:
     }
 
     /// Refuses an island without connections if another island has some; this is probably a mistake. If no island has
-    /// connections, they are independent searches.
+    /// connections, the islands are independent searches.
     void require_some_neighbour() {
         auto connected = [](const PlacedIsland& island) {
             return !island.ports_to.empty() || !island.ports_from.empty();
         };
         if (!connected(self()) && std::ranges::any_of(archipelago_.islands(), connected))
-            refuse("", fmt::format("the island \"{}\" has no neighbours, while others have", process_.name),
-                   "connect its to_neighbours[0] or from_neighbours[0]; a search that exchanges nothing is a "
+            refuse("", fmt::format("the island \"{}\" has no neighbours, but other islands have", process_.name),
+                   "connect its to_neighbours[0] or from_neighbours[0]; for a search that exchanges nothing, use "
                    "ga.master");
     }
 
@@ -126,8 +126,8 @@ private:
         }
     }
 
-    /// Compares this island's problem, coding and exchanges with those of the first island in its group. Islands of a
-    /// group exchange with each other, directly or through other islands.
+    /// Compares this island's problem, coding and exchanges with the problem, coding and exchanges of the first island
+    /// in its group. Islands of a group exchange with each other, directly or through other islands.
     void check_neighbours_agree() {
         const ProcessInstance& first = instance(archipelago_.part_of(number_).front());
         for (const char* parameter : {"problem", "coding"})
@@ -139,8 +139,8 @@ private:
         Schedule ours = schedule_of(process_), theirs = schedule_of(first);
         if (ours.in_step() != theirs.in_step() || (ours.in_step() && ours.text() != theirs.text()))
             refuse(process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
-                   fmt::format("the schedule of \"{}\" is {}, but that of \"{}\" is {}", process_.name, ours.text(),
-                               first.name, theirs.text()),
+                   fmt::format("the schedule of \"{}\" is {}, but the schedule of \"{}\" is {}", process_.name,
+                               ours.text(), first.name, theirs.text()),
                    "islands that exchange must have the same schedule");
         else if (ours.in_step())
             check_generations_agree(first);
@@ -152,8 +152,8 @@ private:
                    fmt::format("\"trials\" is {} per sample for \"{}\", but {} for \"{}\"",
                                counted(static_cast<std::size_t>(integer(process_, "trials")), "generation"),
                                process_.name, integer(first, "trials"), first.name),
-                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
-                   "of samples");
+                   "islands that exchange must make equal numbers of generations: give them equal \"trials\" and equal "
+                   "numbers of samples");
         auto ours = samples_sent_to(network_, index_, problems_),
              theirs =
                  samples_sent_to(network_, static_cast<std::size_t>(&first - network_.processes.data()), problems_);
@@ -161,8 +161,8 @@ private:
             refuse("",
                    fmt::format("\"{}\" and \"{}\" are sent different numbers of samples: {} and {}", process_.name,
                                first.name, *ours, *theirs),
-                   "islands that exchange must make the same generations: give them equal \"trials\" and equal numbers "
-                   "of samples");
+                   "islands that exchange must make equal numbers of generations: give them equal \"trials\" and equal "
+                   "numbers of samples");
     }
 
     void check_room() {
@@ -193,8 +193,8 @@ private:
             {archipelago_.islands()[island].process, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns if individuals of some islands never reach some others. The first island's checks give this warning for
-    /// all islands.
+    /// Warns if individuals of one island never reach another island. Only the check of the first island gives this
+    /// warning, for all islands.
     void warn_of_parts() {
         const auto& parts = archipelago_.parts();
         if (number_ != 0)
@@ -231,7 +231,7 @@ private:
                     "connect to_neighbours[0] of each island; for searches without exchange, set topology = \"none\"");
     }
 
-    /// Warns if the run ends before the first exchange. Of islands that exchange in step, only the first of a part
+    /// Warns if the run ends before the first exchange. If islands exchange in step, only the first island of each part
     /// warns.
     void warn_of_no_exchange() {
         Schedule schedule = schedule_of(process_);
@@ -241,9 +241,9 @@ private:
             (schedule.in_step() && part.front() != number_))
             return;
         warn(number_, process_.given.contains("exchange_every") ? "exchange_every" : "schedule",
-             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {} generations, but the "
-                         "run has only {}",
-                         process_.name, schedule.every(), run->generations()));
+             fmt::format("\"{}\" never exchanges individuals: the first exchange is due after {}, but the run has "
+                         "only {}",
+                         process_.name, counted(schedule.every(), "generation"), run->generations()));
     }
 
     const ProblemRegistry& problems_;

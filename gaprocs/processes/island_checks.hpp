@@ -10,11 +10,11 @@
 
 namespace placedpar {
 
-/// Returns the errors of the islands in a netlist before it runs. Connections must join two different islands and agree
-/// with the parameter `topology`. Islands that exchange must have the same problem and coding, and must agree in the
+/// Checks the islands of a netlist before the run, and returns the errors. Connections must join two different islands
+/// and agree with the parameter `topology`. Islands that exchange must have the same problem and coding, and the same
 /// schedule. The populations must be large enough for the emigrants and immigrants. Warns if islands do not exchange
 /// with each other (unless all have topology = "none"), or if the run ends before the first exchange. For each island,
-/// the complaints of `check_search` come first.
+/// the errors that `check_search` returns come first.
 std::vector<Complaint> check_islands(const Network&, const ProblemRegistry&,
                                      const std::function<std::vector<Complaint>(std::size_t process)>& check_search);
 

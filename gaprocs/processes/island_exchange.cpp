@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Returns the emigrants. Chooses none, and so draws no random numbers, if the exchange has no destinations.
+/// Returns the emigrants. If the exchange has no destinations, chooses none, and so draws no random numbers.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;

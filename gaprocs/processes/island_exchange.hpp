@@ -23,33 +23,34 @@ class ProcessEnvironment;
 ///
 /// If islands exchange in step, the island sends and receives on all channels of an exchange in parallel (P. Welch's
 /// I/O-PAR), and waits until all have finished. All islands make their exchanges in the same order, so no topology can
-/// deadlock. The topology and the schedule determine the channels of an exchange, so both ends of a channel know when
-/// it is used.
+/// deadlock. The topology and the schedule determine the channels of an exchange, so the processes at both ends of a
+/// channel know when the channel is used.
 ///
 /// In asynchronous exchange, each outgoing channel has a sending process and each incoming channel a receiving process.
-/// They run at high priority, in parallel with the search. At an exchange, the search gives its emigrants to each idle
-/// sender, and takes the latest emigrants from each receiver. Receivers are always ready, so no sender waits for long.
-/// An island that ends sends an end message to its neighbours.
+/// These processes run at high priority, in parallel with the search. At an exchange, the search gives its emigrants to
+/// each idle sender, and takes the latest emigrants from each receiver. Receivers are always ready, so no sender waits
+/// for long. An island that ends sends an end message to its neighbours.
 class IslandExchange {
 public:
     /// REQUIRES: the process is an island, and its network has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
-    /// Returns the number of samples needed before the first generation, as samples_awaited(); 0 for an objective.
+    /// Returns the number of samples needed before the first generation, by samples_awaited(); 0 if the problem has an
+    /// objective.
     std::size_t samples_to_begin() const { return samples_to_begin_; }
     /// Returns whether this island has an exchange after the evaluation of the generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
     /// Returns whether the island sends its best individual to an analyst after the generation. An island without
-    /// neighbours does, too.
+    /// neighbours also sends it.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
     /// Runs `search`; in asynchronous exchange, in parallel with the sending and receiving processes.
     void beside_mail(const std::function<void()>& search);
-    /// Sends the emigrants, and returns the immigrants in the order in which they are to be accepted. If necessary,
-    /// evaluates immigrants in this island's window, which takes computing time. REQUIRES: is_due(search.generation() +
-    /// 1).
+    /// Sends the emigrants, and returns the immigrants in the order in which the island must accept them. If necessary,
+    /// evaluates immigrants in this island's window; this takes simulated computing time. REQUIRES:
+    /// is_due(search.generation() + 1).
     std::vector<Migration> exchange(Search&, std::span<const double> fitness, std::span<const Sample> window);
     const Acceptance& acceptance() const { return acceptance_; }
-    /// Returns the process name of another island. REQUIRES: this island receives immigrants from the other.
+    /// Returns the process name of another island. REQUIRES: this island receives immigrants from that island.
     const std::string& name_of(std::size_t island) const;
 
 private:

@@ -10,16 +10,17 @@
 namespace placedpar {
 
 /// Returns the number of samples for which an island waits before its first generation. If islands exchange in step,
-/// all islands of a part wait for the largest number that any of them needs.
+/// every island of a part waits for the largest number that an island of this part needs.
 std::size_t samples_awaited(const Network&, const Archipelago&, std::size_t island);
-/// Returns the number of samples that a ga.host sends to the process. For an objective, whose samples are empty, this
-/// is the number of generations. Returns nothing if no ga.host is connected, or if the host's problem does not exist.
+/// Returns the number of samples that a ga.host sends to the process. If the problem has an objective, the samples are
+/// empty, and their number is the number of generations. Returns nothing if no ga.host is connected, or if the host's
+/// problem does not exist.
 std::optional<std::size_t> samples_sent_to(const Network&, std::size_t process, const ProblemRegistry&);
 
 /// The course of an island's search, counted in samples and generations.
 struct IslandRun {
     std::size_t samples; ///< samples received
-    std::size_t first;   ///< number of samples for which the first generation waits
+    std::size_t first;   ///< number of samples needed before the first generation
     std::size_t trials;  ///< generations per sample
 
     std::size_t generations() const { return samples < first ? 0 : (samples - first + 1) * trials; }
@@ -27,8 +28,8 @@ struct IslandRun {
     std::size_t samples_at(std::size_t generation) const { return first + (generation - 1) / trials; }
 };
 
-/// Reads an island's run from the netlist. Returns nothing if samples_sent_to() does, or if the island's problem does
-/// not exist.
+/// Reads an island's run from the netlist. Returns nothing if samples_sent_to() returns nothing, or if the island's
+/// problem does not exist.
 std::optional<IslandRun> run_of(const Network&, const Archipelago&, std::size_t island, const ProblemRegistry&);
 
 } // namespace placedpar

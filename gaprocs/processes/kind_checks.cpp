@@ -57,7 +57,7 @@ public:
             refuse("elite",
                    fmt::format("an elite of {} in a population of {} leaves no pair to breed", integer("elite"),
                                integer("population")),
-                   fmt::format("the elite can have at most {} individuals", integer("population") - 2));
+                   fmt::format("the greatest possible elite is {}", integer("population") - 2));
         check_coding();
         warn_of_short_strings();
         check_operators();
@@ -121,31 +121,32 @@ private:
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
                 return refuse(binding.port,
-                              fmt::format("\"{}.{}\" is a single channel, not an array: a slave is connected to one "
-                                          "master or preceding slave",
+                              fmt::format("\"{}.{}\" must be a single channel, not an array: a slave is connected to "
+                                          "one master or to one preceding slave",
                                           name(process_), port),
-                              fmt::format("connect ... {}.{};", name(process_), port));
+                              fmt::format("write {}.{} without a subscript", name(process_), port));
     }
 
     void warn(std::string about, std::string message, std::string hint) {
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns of settings that do not suit the record. Of processes with the same setting, only the first warns.
+    /// Warns about settings that do not suit the record. If several processes have the same setting, only the first
+    /// warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))
             warn(given("trials") ? "trials" : "",
-                 fmt::format("trials = {}, but the record of \"{}\" has one sample for every {}, so its changes happen "
-                             "at other generations than documented",
+                 fmt::format("trials = {}, but the record of \"{}\" has one sample for every {}, so the changes in the "
+                             "record come at other generations than documented",
                              integer("trials"), text("problem"),
                              advice.trials == 1 ? "generation" : counted(advice.trials, "generation")),
                  fmt::format("trials = {}", advice.trials));
         if (advice.bias != 0 && !given("bias") && !is_as_before("bias"))
             warn("",
-                 fmt::format(
-                     "bias = {:g} was chosen for \"boom\"; it swamps the errors of \"{}\", so fitness hardly varies",
-                     number("bias"), text("problem")),
+                 fmt::format("bias = {:g} was chosen for the problem \"boom\"; it is so much larger than the errors of "
+                             "\"{}\" that fitness hardly varies",
+                             number("bias"), text("problem")),
                  fmt::format("bias = {:g}", advice.bias));
     }
 
@@ -157,7 +158,7 @@ private:
             warn("string_bytes",
                  fmt::format("string_bytes = {}, but a string of \"{}\" has {} bytes: it does not fit into the message",
                              stated, text("problem"), needed),
-                 "leave it out: the default is the length of the problem's strings");
+                 "leave string_bytes out: the default is the length of the problem's strings");
     }
 
     /// Returns whether an earlier process has the same problem and the same value of the parameter.
@@ -173,7 +174,8 @@ private:
                found->second == network_.processes[process_].parameters.at(parameter);
     }
 
-    /// Warns of parameters that an objective ignores. Of processes with the same setting, only the first warns.
+    /// Warns about parameters that have no effect on a problem with an objective. If several processes have the same
+    /// setting, only the first warns.
     void say_ignored(std::initializer_list<const char*> parameters) {
         std::vector<std::string> ignored;
         for (const char* parameter : parameters)
@@ -181,8 +183,8 @@ private:
                 ignored.emplace_back(parameter);
         if (!ignored.empty())
             warn(ignored.front(),
-                 fmt::format("without effect, since \"{}\" is an objective without measurements: {}", text("problem"),
-                             fmt::join(ignored, ", ")),
+                 fmt::format("the problem \"{}\" has no record of measurements, so these settings have no effect: {}",
+                             text("problem"), fmt::join(ignored, ", ")),
                  "\"generations\" of ga.host sets the length of the search");
     }
 
@@ -192,11 +194,13 @@ private:
         for (const Peer& search : peers_at(network_, process_, "from_masters")) {
             auto host = search.process == nowhere ? std::nullopt : other_end(network_, search.process, "from_host");
             if (!host || host->process != process_)
-                refuse(search.port,
-                       fmt::format(
-                           "\"{}.{}\" receives estimates from a process that does not get its samples from this host",
-                           name(process_), search.port),
-                       fmt::format("connect {}.to_masters[...] to the same process's from_host", name(process_)));
+                refuse(
+                    search.port,
+                    fmt::format(
+                        "\"{}.{}\" receives estimates from a process that does not get its samples from this host",
+                        name(process_), search.port),
+                    fmt::format("connect {}.to_masters[...] to the from_host of the process that sends the estimates",
+                                name(process_)));
         }
     }
 
@@ -233,11 +237,11 @@ private:
 
     void check_objective() {
         if (const std::size_t count = recorded_->problem()->objective_names().size(); count > 0)
-            refuse("problem",
-                   fmt::format("\"{}\" has {} objectives, but a process searches for the best value of one",
-                               text("problem"), count),
-                   fmt::format("{} front {} finds the front; in Python, search_front() does", program_name(),
-                               shell_word(text("problem"))));
+            refuse(
+                "problem",
+                fmt::format("\"{}\" has {} objectives, but a process can search with only one", text("problem"), count),
+                fmt::format("{} front {} finds the front; in Python, search_front() finds it", program_name(),
+                            shell_word(text("problem"))));
         say_ignored({"window", "first_window", "trials", "bias", "measurement_bytes", "cycles_per_measurement_word",
                      "measurements"});
         if (text("reproduction") != search_description::usual)
@@ -277,7 +281,8 @@ private:
                 fmt::format("set \"samples\" of \"{}\" to {} or more", name(host), first));
     }
 
-    /// A program in a transputer's own code gets the bytes of a sample, so they must be all its values.
+    /// A program in transputer code receives the bytes of a sample, so each message must contain all values of the
+    /// sample.
     void check_samples_for_code() {
         for (const PortBinding& each : ends_of(network_, process_, "to_masters")) {
             const std::size_t node = end_beyond(network_, each).node;
@@ -285,13 +290,13 @@ private:
                 continue;
             const auto bytes = static_cast<std::int64_t>(recorded_->problem()->channels() * sizeof(double));
             if (has_objective())
-                refuse("problem", fmt::format("\"{}\" has no record, but the program of \"{}\" waits for its samples",
+                refuse("problem", fmt::format("\"{}\" has no record, but the program of \"{}\" waits for samples",
                                               text("problem"), network_.nodes[node].name));
             else if (integer("sample_bytes") != bytes)
                 refuse("sample_bytes",
-                       fmt::format("sample_bytes = {}, but the program of \"{}\" gets all values of a sample",
+                       fmt::format("sample_bytes = {}, but the program of \"{}\" must receive all values of a sample",
                                    integer("sample_bytes"), network_.nodes[node].name),
-                       fmt::format("set it to {}, the length of the values as REAL64", bytes));
+                       fmt::format("set sample_bytes to {}, the length of all values as REAL64", bytes));
             return;
         }
     }
@@ -322,9 +327,10 @@ private:
             refuse("slaves", fmt::format("slaves = {}, but the number of slaves connected to \"{}.to_slaves\" is {}",
                                          slaves, name(process_), tree.slaves.size()));
         else if (slaves >= population)
-            refuse("slaves", fmt::format("slaves = {}, but a population of {} has work for {} slave{} at the most, "
-                                         "because the master evaluates, too",
-                                         slaves, population, population - 1, population == 2 ? "" : "s"));
+            refuse("slaves",
+                   fmt::format("slaves = {}, but a population of {} has work for at most {}, because the "
+                               "master also evaluates",
+                               slaves, population, counted(static_cast<std::size_t>(population) - 1, "slave")));
         std::size_t individuals =
             most_individuals(static_cast<std::size_t>(population), static_cast<std::size_t>(slaves),
                              split_named(text("split")), number("own_share"));

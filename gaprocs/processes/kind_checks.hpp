@@ -12,15 +12,15 @@ namespace placedpar {
 // These functions check a netlist before it runs, after ranges and ports have been checked. They refuse settings with
 // which a process cannot work, and connections on which a process would wait for ever.
 
-/// Checks that the problem exists, that its record has the samples that the host or the sensors are to send, and that
-/// each estimate comes from a search that gets its samples from this process.
+/// Checks that the problem exists, that its record is long enough for the samples that the host or the sensors send,
+/// and that each estimate comes from a search that gets its samples from this process.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
-/// Checks that the problem exists, that the slave gets tasks from one process, and that it is not part of a circle of
-/// slaves.
+/// Checks that the problem exists, that only one process sends tasks to the slave, and that the slave is not part of a
+/// circle of slaves.
 std::vector<Complaint> check_slave(const Network&, std::size_t process, const ProblemRegistry&);
 /// Checks that the settings of the search agree with each other, with the problem and with the host. If the process has
-/// slaves, checks that they form a tree with the stated number of slaves. Each slave must have work and the same
-/// problem, and no message may be too long.
+/// slaves, checks that they form a tree with the stated number of slaves. Also checks that each slave has at least one
+/// evaluation to do and has the same problem, and that no message is too long.
 std::vector<Complaint> check_search(const Network&, std::size_t process, const ProblemRegistry&);
 
 /// Returns the problem that a process names, or null if it does not exist. The checks above report a missing problem.

@@ -10,8 +10,8 @@ namespace placedpar {
 class Catalogue;
 
 /// Adds the kinds below to the catalogue. Processes find their problems in `problems` by name. Searches report to the
-/// observer, unless it is null; likewise, the traditional algorithm, masters and islands have the checkpoints.
-/// REQUIRES: `problems`, the observer and the checkpoints outlive every run.
+/// observer, unless it is null. The traditional algorithm, masters and islands use the checkpoints, unless these are
+/// null. REQUIRES: `problems`, the observer and the checkpoints outlive every run.
 void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, SearchObserver* observer = nullptr,
                                  Checkpoints* checkpoints = nullptr);
 

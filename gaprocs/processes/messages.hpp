@@ -22,8 +22,8 @@ namespace placedpar {
 
 /// The greatest length of a message in bytes. The netlist states how many bytes a message takes on a link (thesis,
 /// appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness); the size of the C++ data does not matter.
-/// One word before these bytes holds the type and the length of the message. The length is limited to a positive INT,
-/// as in occam's counted arrays.
+/// One word before these bytes holds the type and the length of the message. The length must be a positive INT, as in
+/// occam's counted arrays.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
 /// Returns the length in bytes of a message with `individuals` strings or fitness values of `bytes_each` bytes, and
@@ -35,7 +35,7 @@ struct SizedMessage {
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
-/// A string travels as its length in bits and its words.
+/// A string is sent as its length in bits, followed by its words.
 template <>
 struct PackedForm<Genome> {
     static void write(const Genome& genome, MessageBytes& to) {
@@ -87,8 +87,9 @@ struct PackedForm<HostMessage>
     : PackedMembers<HostMessage, &HostMessage::bytes, &HostMessage::end, &HostMessage::sample, &HostMessage::read_at> {
 };
 
-/// For programs in a transputer's own code a sample is `INT::[]REAL64`: its values, and zeros up to the length of the
-/// message. The end of the record is an array of NaN. REQUIRES: the length is a multiple of 8, and the values fit.
+/// For programs in transputer code, a sample is a message of the type `INT::[]REAL64`: the values of the sample, then
+/// zeros up to the length of the message. The end of the record is an array of NaN. REQUIRES: the length is a multiple
+/// of 8, and the values fit.
 template <>
 struct ByteForm<HostMessage> {
     using SameAs = std::vector<double>;
@@ -116,17 +117,18 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 struct Task : SizedMessage {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
     std::size_t slave = 0;   ///< number of the addressed slave among the master's slaves
-    std::size_t master = 0;  ///< number of the master among the masters of a ga.pipeline; 0 without one
+    std::size_t master = 0;  ///< number of the master among the masters of a ga.pipeline; 0 without a ga.pipeline
     std::size_t address = 0; ///< 0: the task is for the receiving slave; n > 0: for slave n - 1 behind it, as numbered
                              ///< by SlaveRoutes
     Share share;
-    std::vector<Genome> strings; ///< all individuals that have evaluations in the share
+    std::vector<Genome> strings; ///< all individuals with evaluations in the share
     Window window;               ///< the measurements; null if the slave already has them
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
-    bool results_in_order = false;   ///< true: pass on the results of the slaves behind first, then the own result;
-                                     ///< false: pass on each result when it is ready
-    std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks of the addressed slave
+    bool results_in_order = false;   ///< true: the slave passes on the results of the slaves behind it, then sends its
+                                     ///< own result; false: it sends each result when the result is ready
+    std::size_t tasks_under_way =
+        1; ///< largest number of tasks that the addressed slave may have before it answers the first
 };
 
 template <>
@@ -148,8 +150,8 @@ struct PackedForm<Fitnesses>
     : PackedMembers<Fitnesses, &Fitnesses::bytes, &Fitnesses::end, &Fitnesses::slave, &Fitnesses::master,
                     &Fitnesses::hops, &Fitnesses::share, &Fitnesses::terms> {};
 
-/// A message between two processes of one processor. They share the processor's memory, so only the address of the
-/// message is passed.
+/// A message between two processes on one processor. Because they share the processor's memory, only the address of the
+/// message is sent.
 template <class T>
 struct InPlace {
     T message;
@@ -167,8 +169,8 @@ template <>
 struct PackedForm<Emigrants>
     : PackedMembers<Emigrants, &Emigrants::bytes, &Emigrants::end, &Emigrants::generation, &Emigrants::individuals> {};
 
-/// Carries the best individual of a search. A search sends it to the host after the generations of each sample, an
-/// island to the analyst at each exchange.
+/// Carries the best individual of a search. A search sends it to the host after the last generation of each sample; an
+/// island sends it to the analyst at each exchange.
 struct EstimateMessage : SizedMessage {
     bool end = false; ///< true: the search has ended
     std::uint64_t generation = 0;
@@ -196,7 +198,7 @@ struct PackedForm<Finding> : PackedMembers<Finding, &Finding::bytes, &Finding::e
 
 /// Carries the bias point from the coarse search to the fine search, which searches around this point.
 struct BiasPoint : SizedMessage {
-    Genome string; ///< a string of the problem, in natural binary
+    Genome string; ///< a string that the problem reads, in natural binary
 };
 
 template <>

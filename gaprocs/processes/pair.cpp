@@ -27,9 +27,10 @@ ParameterDescription bits_of_fields(std::string name, std::string about) {
 
 ProcessKind searching_recoded(std::string name, std::string about, PortDescription other_one,
                               const ProblemRegistry& problems, SearchObserver* observer) {
-    Parameters recoding{bits_of_fields("fields", "bits of each field of the problem's string, such as \"2 7 7 7 7 7\"; "
-                                                 "the string and the operators must be binary"),
-                        bits_of_fields("bits", "bits of each field that are bred, at most the bits of the field")};
+    Parameters recoding{
+        bits_of_fields("fields", "number of bits of each field of the problem's string, such as \"2 7 7 7 7 7\"; the "
+                                 "problem and the operators must work on binary strings"),
+        bits_of_fields("bits", "number of bits of each field that are bred; at most as many as the field has")};
     ProcessKind kind = searching({.name = std::move(name),
                                   .about = std::move(about),
                                   .ports = {from_host(), std::move(other_one)},
@@ -52,8 +53,8 @@ ProcessKind coarse_kind(const ProblemRegistry& problems, SearchObserver* observe
     return searching_recoded(
         "ga.coarse",
         "The coarse search of a pair (thesis 6.2, Figure 6.6): it breeds the most significant bits of each field; the "
-        "other bits are 0. The best of each generation goes to the fine search.",
-        optional(output<BiasPoint>("to_fine", "bias point", "the best individual, as a string of the problem")),
+        "other bits are 0. It sends the best individual of each generation to the fine search.",
+        optional(output<BiasPoint>("to_fine", "bias point", "the best individual, as a string that the problem reads")),
         problems, observer);
 }
 
@@ -61,9 +62,10 @@ ProcessKind fine_kind(const ProblemRegistry& problems, SearchObserver* observer)
     using namespace description;
     return searching_recoded(
         "ga.fine",
-        "The fine search of a pair (thesis 6.2, Figure 6.6): a field with fewer bits than the problem's counts the "
-        "problem's steps around the best of the coarse search in the same generation.",
-        input<BiasPoint>("from_coarse", "bias point", "the point around which it searches in each generation"),
+        "The fine search of a pair (thesis 6.2, Figure 6.6): a field with fewer bits than the problem's field is an "
+        "offset from the best individual of the coarse search in the same generation, in steps of the problem's field.",
+        input<BiasPoint>("from_coarse", "bias point",
+                         "the point around which this process searches in each generation"),
         problems, observer);
 }
 

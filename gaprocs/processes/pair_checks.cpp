@@ -42,7 +42,7 @@ private:
         if (!recorded)
             return;
         if (text("coding").starts_with("real"))
-            return refuse("coding", "a pair breeds the bits of fields, and real numbers have none",
+            return refuse("coding", "the searches of a pair breed fields of bits, but real numbers have no such fields",
                           "coding = \"natural\" or \"gray\"");
         try {
             RecodedProblem(*recorded->problem(), read_recoding(self()));
@@ -76,7 +76,8 @@ private:
             refuse(parameter,
                    fmt::format("{} is {} for \"{}\", but {} for \"{}\"", parameter, text(ours), self().name,
                                text(theirs), coarse.name),
-                   "a coarse and a fine search must make the same generations, over the same window");
+                   "a coarse search and its fine search must have the same problem, fields, coding, window, "
+                   "first_window, trials and bias");
     }
 
     const Network& network_;

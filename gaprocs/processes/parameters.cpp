@@ -6,6 +6,7 @@
 #include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
+#include "text/counted.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
 
@@ -127,10 +128,9 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
     if (settings.slaves >= size(environment, "population"))
-        throw UserError(fmt::format("slaves = {}, but a population of {} has work for {} "
-                                    "slaves at the most, because the master evaluates, too",
-                                    settings.slaves, environment.integer("population"),
-                                    environment.integer("population") - 1));
+        throw UserError(fmt::format(
+            "slaves = {}, but a population of {} has work for at most {}, because the master also evaluates",
+            settings.slaves, environment.integer("population"), counted(size(environment, "population") - 1, "slave")));
     return settings;
 }
 

@@ -19,15 +19,16 @@ Split split_named(const std::string&); ///< `name`: value of the parameter `spli
 /// Returns the number of bytes that a string takes in a message: `stated`, or, if `stated` is 0, the bits of the
 /// problem's string rounded up to whole bytes.
 std::uint32_t string_bytes(std::int64_t stated, const SearchProblem&);
-/// Reads the costs and the lengths of messages; for an objective, 0 bytes of measurements.
+/// Reads the costs and the lengths of messages. If the problem has an objective, messages contain 0 bytes of
+/// measurements.
 Workload read_workload(const ProcessEnvironment&, const SearchProblem&);
 Workload read_slave_workload(const ProcessEnvironment&); ///< reads only the values that a slave uses
 Coding read_coding(const ProcessEnvironment&);
 /// Returns the name of the process's random stream: the parameter `stream`, or, if `stream` is empty, the name of the
 /// process.
 std::string stream_name(const ProcessEnvironment&);
-/// Reads the settings of the search; "usual" stands for the policy of usual_settings(). Throws as settings_for(), and
-/// if the initial population cannot be made or read from a file.
+/// Reads the settings of the search; "usual" stands for the policy of usual_settings(). Throws what settings_for()
+/// throws, and UserError if the initial population cannot be made or read from a file.
 SearchSettings read_search_settings(const ProcessEnvironment&, const SearchProblem&);
 Farm::Settings read_farm_settings(const ProcessEnvironment&);
 
@@ -37,10 +38,11 @@ std::size_t samples_needed(const ProcessInstance&);
 
 /// Returns whether the process is a ga.coarse or a ga.fine, which search a RecodedProblem.
 bool breeds_recoded(const ProcessInstance&);
-/// Reads the number of bits of each field, as in "2 7 7". Throws UserError unless all are numbers from 1 to 63.
+/// Reads the number of bits of each field, as in "2 7 7". Throws UserError unless the text consists of whole numbers
+/// from 1 to 63.
 std::vector<std::size_t> bits_named(const std::string&);
-/// Returns the recoding of a ga.coarse or ga.fine. The first bias point of a ga.fine is the string of zeros. Throws as
-/// Recoding::validate().
+/// Returns the recoding of a ga.coarse or ga.fine. The first bias point of a ga.fine is the string of zeros. Throws
+/// what Recoding::validate() throws.
 Recoding read_recoding(const ProcessInstance&);
 
 } // namespace placedpar

@@ -19,8 +19,8 @@ namespace placedpar {
 namespace {
 
 /// Consists of two processes of high priority: one passes the masters' tasks on to the slaves, the other passes the
-/// slaves' results on to the masters. A slave may get tasks of several masters; it queues them and answers them in
-/// turn.
+/// slaves' results on to the masters. A slave may receive tasks from several masters; it queues the tasks and answers
+/// them in turn.
 class Pipeline {
 public:
     explicit Pipeline(const ProcessEnvironment& environment)
@@ -47,8 +47,8 @@ private:
             to.output(Task{});
     }
 
-    /// Passes on the tasks of one generation of a master, one task for each slave; other masters have to wait
-    /// meanwhile. Returns false if the master has ended.
+    /// Passes on the tasks of one generation of a master, one task for each slave. During this time, other masters have
+    /// to wait. Returns false if the master has ended.
     bool pass_generation_on(std::size_t master) {
         for (std::size_t sent = 0; sent < slaves_; ++sent) {
             Task task = from_masters_[master].input();
@@ -103,7 +103,8 @@ ProcessKind pipeline_kind(const ProblemRegistry&) {
     using namespace description;
     return {.name = "ga.pipeline",
             .about = "Lets masters share the same slaves (thesis, Figure 4.5): while one master breeds, the slaves "
-                     "evaluate the population of another. Each master has the same generations as with its own slaves.",
+                     "evaluate the population of another. Each master makes the same generations as it would with "
+                     "slaves of its own.",
             .ports = {input<Task>("from_masters", "task", "an array: one end for each master's to_slaves"),
                       output<Fitnesses>("to_masters", "fitnesses",
                                         "an array: one end for each master's from_slaves, in the same order"),

@@ -41,7 +41,7 @@ private:
         refuse(peer.port,
                fmt::format("\"{}.{}\" receives tasks from \"{}\", which is not a master", name(process_), peer.port,
                            name(peer.process)),
-               "ga.master and ga.island have slaves");
+               "tasks come from a ga.master or a ga.island");
         return false;
     }
 
@@ -51,9 +51,9 @@ private:
             refuse(results ? results->port : tasks.port,
                    fmt::format("\"{}.{}\" receives tasks from \"{}\", but does not return the results to it",
                                name(process_), tasks.port, name(master)),
-                   fmt::format("from_masters[...] and to_masters[...] of one master have the same subscript"));
+                   fmt::format("connect a master to from_masters[...] and to_masters[...] with the same subscript"));
         if (ends_of(n_, master, "to_slaves").size() > 1)
-            refuse(tasks.port, fmt::format("\"{}\" has other slaves besides those that it shares", name(master)),
+            refuse(tasks.port, fmt::format("\"{}\" has other slaves besides the slaves that it shares", name(master)),
                    "a master's to_slaves leads to one ga.pipeline and nothing else");
         if (text(master, "split") == "demand")
             refuse(tasks.port,

@@ -9,8 +9,8 @@
 namespace placedpar {
 
 /// Checks a ga.pipeline. The slaves behind it must form trees. Each master must receive its results from the pipeline
-/// to which it sends its tasks, must have no other slaves, and must send each slave one task per generation (not
-/// `split` = "demand").
+/// to which it sends its tasks, and must have no other slaves. It must send each slave one task per generation, so
+/// `split` = "demand" is not allowed.
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar

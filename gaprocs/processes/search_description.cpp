@@ -43,7 +43,7 @@ void check_initial(const std::string& text) {
     try {
         InitialPopulation::named(text);
     } catch (const UserError& no_policy) {
-        throw UserError(fmt::format("no file has this name; as a policy {}", no_policy.what()));
+        throw UserError(fmt::format("the text is neither the name of a file nor a policy: {}", no_policy.what()));
     }
 }
 
@@ -51,7 +51,7 @@ ParameterDescription initial() {
     auto description =
         policy<InitialPopulation>("initial", InitialPopulation().text(),
                                   "the first population: a policy, or a file with a string in each line; if the file "
-                                  "has too few, the other strings are drawn at random");
+                                  "has too few strings, the others are drawn at random");
     description.check = check_initial;
     return description;
 }
@@ -76,12 +76,14 @@ Parameters operator_parameters() {
         usual_policy<Reproduction>(
             "reproduction",
             "how parents are chosen (usual: roulette, as in the thesis; ranking for a problem without a record)"),
-        usual_policy<Crossover>("crossover_operator", "what two mates exchange (usual: one-point, as in the thesis; "
-                                                      "blend for real numbers, order for permutations)"),
+        usual_policy<Crossover>("crossover_operator",
+                                "how two parents make two offspring (usual: one-point, as in the thesis; "
+                                "blend for real numbers, order for permutations)"),
         usual_policy<Mutation>("mutation_operator", "how a bit, number or element is mutated (usual: bit, as in the "
                                                     "thesis; gaussian for real numbers, inversion for permutations)"),
-        policy<Coding>("coding", Coding().text(),
-                       "how a field of the string codes a number (thesis: natural); slaves get it from their master"),
+        policy<Coding>(
+            "coding", Coding().text(),
+            "how a field of the string codes a number (thesis: natural); slaves use the coding of their master"),
         initial(),
         text("stream", {.by_default = ""}, "name of the random stream; the process's own name if empty"),
     };
@@ -140,16 +142,15 @@ Parameters search_parameters() {
 std::vector<MeasurementDescription> search_measurements() {
     std::vector<MeasurementDescription> all{
         {"T_exe", "ms",
-         "mean time of a generation with a full window; this time and the other times are absent if the window was "
-         "never full"},
+         "mean time of a generation with a full window; all times are absent if the window was never full"},
         {"T_sr", "ms", "time from the first send to the last receive of a generation"},
         {"P_time2", "ms", "time of the process's own share of the error evaluations"},
         {"C_time2", "ms", "communication time of a generation with new measurements and nothing to evaluate"},
-        {"S_time2", "ms", "the genetic operators"},
+        {"S_time2", "ms", "time of the genetic operators"},
         {"generations", "", "generations evaluated"},
         {"generations_per_second", "1/s",
-         "generations of this process's own population in a second, with all costs of a generation and of a new "
-         "sample; absent if generations take no time"},
+         "generations of this process's own population per second, including the time for new samples; absent if "
+         "generations take no time"},
         {"populations", "", "a hash over all populations in order: equal in two runs if all generations are equal"},
     };
     for (MeasurementDescription& each : individual_measurements("the last generation's best individual"))
@@ -159,7 +160,7 @@ std::vector<MeasurementDescription> search_measurements() {
 
 std::vector<MeasurementDescription> individual_measurements(const std::string& whose) {
     return {
-        {"best_fitness", "(unit of the error)^2", "of " + whose},
+        {"best_fitness", "(unit of the error)^2", "fitness of " + whose},
         {"best_objective", "the problem's", "for a problem without a record: the best objective of all generations"},
         {"violation", "", "for a problem with constraints: total violation of the constraints by that individual"},
         {"known_optimum", "the problem's", "the best possible objective, if the problem knows it"},
@@ -174,22 +175,23 @@ PortDescription from_host() {
 PortDescription to_host() {
     return description::optional(description::output<EstimateMessage>(
         "to_host", "estimate",
-        "the search's best individual after the generations of each sample, to the host that sends the samples"));
+        "the search's best individual after the last generation of each sample; for the host that sends the samples"));
 }
 
 Parameters farm_parameters() {
     using namespace description;
     return {
-        deciding("farm",
-                 integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
-                         "number of slaves, if any are connected; it must equal the number of connected slaves")),
+        deciding("farm", integer("slaves", {.by_default = 1, .least = 1, .most = 4096},
+                                 "number of connected slaves; ignored if no slave is connected")),
         deciding("farm",
                  text("split", {.by_default = "individuals", .choices = {"individuals", "demand", "evaluations"}},
-                      "how evaluations are dealt out: a share of whole individuals to each slave; individuals one by "
-                      "one, each to an idle evaluator (demand); or single error evaluations")),
-        deciding("farm", real("own_share", {.by_default = 1, .least = 0, .most = 1},
-                              "the master's own share as a fraction of a slave's share; 0: the master evaluates "
-                              "nothing; no effect with the split demand, where it evaluates whenever it is idle")),
+                      "how evaluations are dealt out: to each slave, a share of whole individuals (individuals) or of "
+                      "single error evaluations (evaluations); or individuals one by one, each to an idle slave or to "
+                      "the idle master (demand)")),
+        deciding("farm",
+                 real("own_share", {.by_default = 1, .least = 0, .most = 1},
+                      "the master's own share as a fraction of a slave's share; 0: the master evaluates "
+                      "nothing; no effect with the split demand, where the master evaluates whenever it is idle")),
         deciding("farm",
                  text("measurements", {.by_default = "sample", .choices = {"sample", "generation"}},
                       "when the slaves are sent the measurements: with each new sample, or in every generation")),
@@ -200,11 +202,11 @@ Parameters farm_parameters() {
                               "how the master sends tasks: one after another, or at once by a process for each "
                               "channel, so that all links are busy")),
         deciding("farm", text("results", {.by_default = "chain", .choices = {"chain", "ready"}},
-                              "order of the results: the farthest slave of the chain first, and one chain after "
-                              "another; or each result when it is ready, as always with the split demand")),
+                              "order of the results: chain by chain, each beginning with the farthest slave (chain); "
+                              "or each result when it is ready (ready), as always with the split demand")),
         integer("rehearsals", {.unit = "rounds", .by_default = 100, .least = 0, .most = 1e6},
-                "rounds of communication without evaluations, which measure C_time2 after the work and do not count in "
-                "its totals; 0: no measurement"),
+                "rounds of communication without evaluations, which measure C_time2 after the work; the totals of the "
+                "work do not include them; 0: C_time2 is not measured"),
     };
 }
 

@@ -15,7 +15,7 @@ namespace placedpar::search_description {
 
 using Parameters = std::vector<ParameterDescription>;
 
-/// Returns the parameters of `first`, followed by those of `second`.
+/// Returns the parameters of `first`, followed by the parameters of `second`.
 Parameters operator+(Parameters first, const Parameters& second);
 
 /// Describes a parameter that chooses the policy of a step.
@@ -32,7 +32,7 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                                                    std::move(about)));
 }
 
-/// The value of a parameter that selects the policy of usual_settings() for the problem.
+/// The parameter value that selects the policy of usual_settings() for the problem.
 inline constexpr std::string_view usual = "usual";
 
 /// Describes a parameter as policy() does, with the default "usual".

@@ -193,8 +193,8 @@ private:
             environment_.measure("generations_per_second", timed / milliseconds * 1000, "1/s");
     }
 
-    /// Returns the best individual: for an objective, of all generations; otherwise of the last generation, which was
-    /// evaluated with the newest measurements.
+    /// Returns the best individual. If the problem has an objective, this is the best of all generations; otherwise it
+    /// is the best of the last generation, which was evaluated with the newest measurements.
     const Individual& best_known() const { return problem_.objective() ? *progress_.best() : search_.best(); }
 
     void report_best_known() {
@@ -208,7 +208,7 @@ private:
     SearchSettings settings_;
     Workload workload_;
     Input<HostMessage> from_host_;
-    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if the process's port is not
+    Output<EstimateMessage> to_host_, to_analyst_; ///< not connected if the process's port is not connected
     Farm farm_;
     bool has_slaves_;
     std::int64_t rehearsals_;

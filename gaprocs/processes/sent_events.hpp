@@ -41,8 +41,8 @@ private:
 };
 
 /// Unpacks a message of SentEvents or SentCheckpoints, and passes it to the observer or the checkpoints. Throws
-/// NoMessage, and rethrows their exceptions. REQUIRES: the observer is not null; if other ranks send states, neither
-/// are the checkpoints.
+/// NoMessage if the bytes are not such a message, and whatever the observer or the checkpoints throw. REQUIRES: the
+/// observer is not null; the checkpoints are not null if other ranks send states.
 void tell_event(std::span<const std::uint8_t> packed, SearchObserver*, Checkpoints*);
 
 } // namespace placedpar

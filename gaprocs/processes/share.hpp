@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// A part of the work of one generation: the error evaluations `first` ... `last` - 1. Evaluation e is that of
+/// A part of the work of one generation: the error evaluations `first` ... `last` - 1. Evaluation e evaluates
 /// individual e / `window` at sample e % `window`.
 struct Share {
     std::size_t first = 0, last = 0;
@@ -23,16 +23,16 @@ struct Share {
 
 /// The rule by which a master and its slaves share the evaluations of a generation.
 enum class Split {
-    individuals, ///< whole individuals, in equal numbers or one more for the first slaves
-    demand,      ///< whole individuals, one at a time, each to an idle evaluator
-    evaluations  ///< single error evaluations, in equal numbers or one more for the first slaves
+    individuals, ///< whole individuals, the same number for each slave, or one more for the first slaves
+    demand,      ///< whole individuals, one at a time, each for a slave or the master when it is idle
+    evaluations  ///< single error evaluations, the same number for each slave, or one more for the first slaves
 };
 
 /// Returns a share for each slave, followed by the master's share, which is `own_share` times a slave's share, rounded
 /// down. Split::demand gives the same shares as Split::individuals. REQUIRES: window > 0, 0 <= own_share <= 1.
 std::vector<Share> deal(std::size_t population, std::size_t window, std::size_t slaves, Split, double own_share = 1);
 
-/// Returns an upper bound of the number of individuals in a slave's task, for any length of the window. The bound is
+/// Returns an upper bound for the number of individuals in a slave's task, for any length of the window. The bound is
 /// exact for Split::individuals, may be one too high for Split::evaluations, and is 1 for Split::demand. REQUIRES:
 /// slaves > 0.
 std::size_t most_individuals(std::size_t population, std::size_t slaves, Split, double own_share = 1);

@@ -62,7 +62,7 @@ private:
     }
 
     /// Passes a task on to a slave behind this slave, or to this slave's own evaluation. Passes an end message on to
-    /// all slaves behind and to the own evaluation, and then returns false.
+    /// all slaves behind and to this slave's own evaluation, and then returns false.
     bool pass_task_on(Task task) {
         bool ended = task.kind == Task::Kind::end;
         if (ended)
@@ -103,8 +103,8 @@ private:
         to_master_.output(end_of_results());
     }
 
-    /// Passes on the results of one generation: first those of the slaves behind, channel by channel and the farthest
-    /// first, then this slave's own result. Returns false at the end message.
+    /// Passes on the results of one generation: first the results of the slaves behind (channel by channel, each
+    /// beginning with the farthest slave), then this slave's own result. Returns false at the end message.
     bool pass_round_on() {
         for (const Input<Fitnesses>& from : from_slaves_)
             for (bool last = false; !last;) {

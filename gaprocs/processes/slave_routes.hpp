@@ -8,19 +8,20 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Finds the channel on which a process reaches a slave. The slaves behind a process are numbered depth first, so those
-/// behind one channel have consecutive numbers, as in the interval routing of INMOS's C104. To find the channel, a
-/// process needs only the number of slaves behind each channel.
+/// Finds the channel on which a process reaches a slave. The slaves behind a process are numbered depth first, so the
+/// slaves behind one channel have consecutive numbers, as in the interval routing of INMOS's C104. To find the channel,
+/// a process needs only the number of slaves behind each channel.
 class SlaveRoutes {
 public:
     SlaveRoutes() = default;
-    /// `behind`: the number of slaves behind each channel, except the last; the last leads to all other slaves.
+    /// `behind`: the number of slaves behind each channel except the last channel; all other slaves are behind the last
+    /// channel.
     explicit SlaveRoutes(std::vector<std::size_t> behind) : behind_(std::move(behind)) {}
 
     struct Hop {
         std::size_t channel; ///< channel towards the slave
-        std::size_t address; ///< number of the slave among those behind this channel; the process at the other end of
-                             ///< the channel has number 0
+        std::size_t address; ///< number of the slave among the slaves behind this channel; the process at the other end
+                             ///< of the channel has number 0
     };
     /// Returns the first hop towards a slave.
     Hop to(std::size_t slave) const;
@@ -33,8 +34,8 @@ private:
     std::vector<std::size_t> behind_;
 };
 
-/// Reads the routes of a master or a slave from the netlist. On a transputer, a configurer would pass them to the
-/// program.
+/// Reads the routes of a master or a slave from the netlist. On a real transputer, the configurer would pass the routes
+/// to the program.
 SlaveRoutes read_routes(const ProcessEnvironment&);
 
 } // namespace placedpar

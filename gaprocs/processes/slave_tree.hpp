@@ -18,17 +18,18 @@ struct SlaveTree {
     std::vector<Complaint> complaints;
 };
 
-/// Follows the channels of tasks from a master, also through a ga.pipeline. Complains of ports that are not numbered 0,
-/// 1, 2, ..., and of a slave that is reached twice. Complains of a slave whose results do not go to the process that
-/// sends its tasks, and of results from a process that gets no tasks. Stops following a channel at the first error.
+/// Follows the channels of tasks from a master, also through a ga.pipeline. Complains about ports that are not numbered
+/// 0, 1, 2, ..., and about a slave that is reached twice. Complains about a slave whose results do not go to the
+/// process that sends its tasks, and about results from a process that receives no tasks. Stops following a channel at
+/// the first error.
 SlaveTree follow_slaves(const Network&, std::size_t master);
 
-/// Returns the number of slaves behind each channel of a master or a slave, except the last. A process that is neither
-/// a slave nor a pipeline counts as one slave. REQUIRES: follow_slaves() reports no complaints.
+/// Returns the number of slaves behind each channel of a master or a slave, except the last channel. A process that is
+/// neither a slave nor a pipeline counts as one slave. REQUIRES: follow_slaves() reports no complaints.
 std::vector<std::size_t> count_slaves_behind(const Network&, std::size_t process);
 
-/// Returns the slaves of the circle to which this slave belongs; empty if it belongs to none. No master's tasks reach a
-/// slave in a circle.
+/// Returns the slaves of the circle to which this slave belongs; empty if the slave is not in a circle. No master's
+/// tasks reach a slave in a circle.
 std::vector<std::size_t> circle_of(const Network&, std::size_t slave);
 
 } // namespace placedpar

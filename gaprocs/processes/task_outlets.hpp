@@ -15,8 +15,8 @@ namespace placedpar {
 /// The order in which a master sends over its channels to slaves.
 enum class Sending {
     in_turn, ///< the master sends one message after another
-    at_once  ///< each channel has a sending process of high priority, so the master can prepare the next message
-             ///< meanwhile
+    at_once  ///< each channel has a sending process of high priority, so the master can prepare the next message during
+             ///< the transfer
 };
 
 /// A master's channels to its slaves.

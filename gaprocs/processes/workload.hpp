@@ -20,8 +20,8 @@ struct Workload {
     std::uint32_t measurement_bytes = 0;
 };
 
-/// Returns the cycles that a copy of `bytes` bytes from external memory to external memory takes. Each word is read and
-/// written, at 13.3 Mbyte/s for 20 MHz (T800 databook).
+/// Returns the number of cycles for copying `bytes` bytes from external memory to external memory. Each word is read
+/// and written; at 20 MHz this gives 13.3 Mbyte/s (T800 databook).
 constexpr Cycles block_move(std::uint32_t bytes) {
     const std::int64_t words = (std::int64_t{bytes} + 3) / 4;
     return hardware::instructions::block_move_start + 2 * words * hardware::Memory::outside;

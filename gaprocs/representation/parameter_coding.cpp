@@ -16,8 +16,8 @@ void validate(const ParameterField& field, std::size_t number) {
             fmt::format("parameter {}: {} bits, expected 1 to {}", number, field.bits, ParameterCoding::most_bits));
     if (!std::isfinite(field.low) || !std::isfinite(field.high) || !(field.low < field.high))
         throw std::invalid_argument(
-            fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", number, field.low,
-                        field.high));
+            fmt::format("parameter {}: the range is {} to {}, expected two finite numbers, the lower number first",
+                        number, field.low, field.high));
     if (!std::isfinite(field.high - field.low))
         throw std::invalid_argument(
             fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double", number,

@@ -54,7 +54,7 @@ public:
 
     std::size_t parameters() const { return fields_.size(); }
     const ParameterField& field(std::size_t parameter) const { return fields_[parameter]; }
-    /// Returns the number of bits of every field.
+    /// Returns the number of bits of each field.
     std::vector<std::size_t> fields() const;
     /// Returns the length of the whole string in bits.
     std::size_t bits() const { return bits_; }
@@ -87,7 +87,8 @@ public:
     }
 
 private:
-    /// The data of a field that value() uses. `first` is the position of its first bit in the string.
+    /// The data of a field, in the form that value() uses. `first` is the position of the field's first bit in the
+    /// string.
     struct Field {
         std::size_t first, bits;
         double low, resolution;

@@ -147,8 +147,8 @@ RealVector::RealVector(std::vector<RealRange> ranges) : ranges_(std::move(ranges
     for (std::size_t i = 0; i < ranges_.size(); ++i) {
         if (!std::isfinite(ranges_[i].low) || !std::isfinite(ranges_[i].high) || !(ranges_[i].low < ranges_[i].high))
             throw std::invalid_argument(
-                fmt::format("parameter {}: the range is {} to {}, expected a lower and a higher number", i,
-                            ranges_[i].low, ranges_[i].high));
+                fmt::format("parameter {}: the range is {} to {}, expected two finite numbers, the lower number first",
+                            i, ranges_[i].low, ranges_[i].high));
         if (!std::isfinite(ranges_[i].high - ranges_[i].low))
             throw std::invalid_argument(
                 fmt::format("parameter {}: the width of the range {} to {} is beyond the range of a double", i,

@@ -103,10 +103,10 @@ public:
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
     /// Returns whether all strings belong to this representation: each has bits() bits, each real number is in its
-    /// range, and each place of a permutation occurs once.
+    /// range, and each number of a permutation occurs once.
     bool holds(std::span<const Genome> strings) const;
 
-    /// Returns the distance of two strings: for binary strings the number of bits in which they differ; for real
+    /// Returns the distance between two strings: for binary strings the number of bits in which they differ; for real
     /// vectors the Euclidean distance, with each number in units of the width of its range; for permutations the number
     /// of edges of one closed tour that the other tour does not have. REQUIRES: both strings belong to this
     /// representation.
@@ -114,8 +114,8 @@ public:
 
     /// Returns the string as a text, such as "01101", "0.5 -3" or "2 0 1".
     std::string text(const Genome& genome) const;
-    /// Reads a string from its text. Throws UserError, with what would be right, if the text is not a string of this
-    /// representation.
+    /// Reads a string from its text. Throws a UserError that says what would be right if the text is not a string of
+    /// this representation.
     Genome read(std::string_view text) const;
 
 private:

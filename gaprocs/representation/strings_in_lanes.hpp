@@ -12,7 +12,7 @@
 namespace placedpar {
 
 /// The strings of eight individuals in the lanes of vector registers. field() reads a field of all eight strings at
-/// once, several times as fast as one by one. The rules at the top of runtime/lanes.hpp apply.
+/// once, several times as fast as a loop over the strings. The rules at the top of runtime/lanes.hpp apply.
 template <std::size_t width, bool gray = false>
 class StringsInLanes {
 public:
@@ -20,8 +20,8 @@ public:
     /// The largest number of 64-bit words in a string. Callers read longer strings one by one.
     static constexpr std::size_t most_words = 4;
 
-    /// Takes the strings from index `first` on. If too few are left, the other lanes repeat the last string. REQUIRES:
-    /// first < population.size(); all strings have the same size, at most `most_words` words.
+    /// Takes the strings from index `first` on. If fewer strings than lanes are left, the other lanes repeat the last
+    /// string. REQUIRES: first < population.size(); all strings have the same size, at most `most_words` words.
     [[gnu::always_inline]] StringsInLanes(std::span<const Genome> population, std::size_t first) {
         const std::size_t used = population[first].words().size();
         for (std::size_t word = 0; word < used; ++word) {
@@ -32,8 +32,8 @@ public:
         }
     }
 
-    /// Reads a field as Genome::field() does. REQUIRES: as Genome::field(), and bits <= 52, because a double has to
-    /// hold the number.
+    /// Reads a field as Genome::field() does. REQUIRES: what Genome::field() requires, and bits <= 52, because a double
+    /// has to hold the number.
     [[gnu::always_inline]] Lanes<width> field(std::size_t first, std::size_t bits) const {
         const std::size_t word = first / 64, offset = first % 64;
         alignas(alignment) Codes codes[registers];
@@ -52,7 +52,7 @@ public:
 private:
     using Codes = typename Registers<width>::Words;
     static constexpr std::size_t registers = count / width;
-    static constexpr std::size_t alignment = sizeof(std::uint64_t) * width; // as of Lanes
+    static constexpr std::size_t alignment = sizeof(std::uint64_t) * width; // the alignment of Lanes
 
     alignas(alignment) Codes words_[most_words][registers];
 };

@@ -12,7 +12,8 @@
 namespace placedpar::hydraulics {
 
 /// The five configurations of the main valve. They differ in the flows that the check valves of the cross-over network
-/// let through. We have the text of Figure 2.11 without its drawing, so the five are our interpretation.
+/// let through. We have only the text of Figure 2.11, not its drawing, so the five configurations are our
+/// interpretation.
 enum class Configuration : unsigned char { a, b, c, d, e };
 
 inline constexpr std::array<Configuration, 5> all_configurations{Configuration::a, Configuration::b, Configuration::c,
@@ -47,7 +48,7 @@ using Circuit = std::vector<Junction>;
 std::vector<LinkSet> coupled_groups(Configuration);
 
 /// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is
-/// shut and its bypass is wide open. REQUIRES: `active` is a non-empty part of one coupled group.
+/// shut and its bypass is wide open. REQUIRES: `active` is a non-empty subset of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
 Circuit boom_circuit();
 /// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the

@@ -62,7 +62,8 @@ T junction_psi(const LinkTerms& link, const T& inlet) {
     return resisted_drop(link.inlet_resistance, inlet) + link.inlet_psi;
 }
 
-/// Returns the flow from the junction's pumps minus the flow into the cylinder, absolute or signed as `form` states.
+/// Returns the flow from the junction's pumps minus the flow into the cylinder. `form` states whether the flow into the
+/// cylinder is absolute or signed.
 template <typename T>
 T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow, InletFlow form) {
     using std::abs;

@@ -11,17 +11,17 @@ namespace {
 
 // We chose these values, and tuned them on fifty random jobs.
 constexpr double longest_step_s = 0.0004;
-constexpr double laminar_psi = 20;      ///< smaller values would make the step unstable
-constexpr double least_gain = 4000;     ///< (in^3/s)^2 by which another position must lower the misfit
-constexpr double misfit_left = 0.2;     ///< largest share of the misfit that may remain
-constexpr double doubt = 0.2;           ///< weight of a gain if no pressure was near a limit
-constexpr double near_share = 0.7;      ///< share of a limit from which a pressure counts as near
-constexpr double largest_square = 1e4;  ///< limits one flow's squared error, so that a wild reading decides nothing
-constexpr double back_in3_per_s = -5;   ///< a lower flow of oil into a cylinder shows that its outlet is open
-constexpr double smoothing = 0.3;       ///< weight of a new reading in the smoothed flow of oil
-constexpr double outlet_shuts_s = 0.75; ///< time after which an outlet is taken to be shut: six times the pilot valve's
-                                        ///< lag
-constexpr double steepest = 1;          ///< greatest change of a bypass's flow per change of the flow into the link
+constexpr double laminar_psi = 20;     ///< smaller values would make the step unstable
+constexpr double least_gain = 4000;    ///< (in^3/s)^2 by which another position must lower the misfit
+constexpr double misfit_left = 0.2;    ///< largest share of the misfit that may remain
+constexpr double doubt = 0.2;          ///< weight of a gain if no pressure was near a limit
+constexpr double near_share = 0.7;     ///< share of a limit from which a pressure counts as near
+constexpr double largest_square = 1e4; ///< limits one flow's squared error, so that a wild reading decides nothing
+constexpr double back_in3_per_s = -5;  ///< a lower flow of oil into a cylinder shows that its outlet is open
+constexpr double smoothing = 0.3;      ///< weight of a new reading in the smoothed flow of oil
+constexpr double outlet_shuts_s =
+    0.75;                      ///< time after which an outlet is assumed to be shut: six times the pilot valve's lag
+constexpr double steepest = 1; ///< greatest change of a bypass's flow per change of the flow into the link
 constexpr double least_inlet_in2 = 0.02, least_flow_in3_per_s = 10;
 
 bool same_surplus(Configuration a, Configuration b) {
@@ -111,7 +111,7 @@ void ConfigurationWatch::add_flows(ValveInterval& now, const PerLink<double>& be
     }
 }
 
-/// Returns whether the valves could just have moved to this position: a pressure was near a limit.
+/// Returns whether the valves could just have moved to this position, because a pressure was near a limit.
 bool ConfigurationWatch::near(const ValveInterval& interval, Configuration other) const {
     const CrossOverLimits near{near_share * limits_.shift_psi, near_share * limits_.release_psi, limits_.seat_psi};
     return same_surplus(next_configuration(interval.configuration, branch_pressures(interval.junction_psi), near),

@@ -29,11 +29,11 @@ struct ValveInterval {
 /// Recognises the configuration of the main valve from the readings of all links.
 ///
 /// The junctions' pressures are integrated from the areas and the cylinders' pressures. As in the machine, the rule of
-/// 2.4 then gives the configuration from the junctions' pressures. Where a pressure just reaches a limit, the noise of
-/// the readings decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the cylinders
-/// are compared with the flows that move the pistons and expand the hoses. Another position of the cross-over valves
-/// replaces the present one if it explains these flows much better and a change to it lies within the last `reach`
-/// intervals.
+/// thesis 2.4 then gives the configuration from the junctions' pressures. If a pressure just reaches a limit, the noise
+/// of the readings decides, and the rule may stay in the wrong state for seconds. Therefore the flows into the
+/// cylinders are compared with the flows that move the pistons and expand the hoses. If a change of the cross-over
+/// valves within the last `reach` intervals explains these flows much better, the position after this change replaces
+/// the present position.
 class ConfigurationWatch {
 public:
     static constexpr std::size_t reach = 4; ///< intervals

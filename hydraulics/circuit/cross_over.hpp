@@ -7,7 +7,7 @@ namespace placedpar::hydraulics {
 /// The pressure differences at which the valves of the cross-over network move.
 ///
 /// Behind the boom and behind the stick, a valve leads the surplus flow to the tank or to the second link of the other
-/// branch. If P13 exceeds P23 by `shift_psi`, branch 1 gets the surplus of branch 2. When P23 then exceeds P13 by
+/// branch. If P13 exceeds P23 by `shift_psi`, branch 1 receives the surplus of branch 2. When P23 then exceeds P13 by
 /// `release_psi`, branch 2 moves its own load, and its surplus goes to the tank again. Between these two limits the
 /// valve stays in its position. The surplus of branch 1 follows the same rule with P13 and P23 exchanged.
 struct CrossOverLimits {

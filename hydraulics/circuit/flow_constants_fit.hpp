@@ -27,10 +27,10 @@ struct FlowConstantsFit {
 
 /// Fits k, Q and P_e to the spool positions by least squares, with the method of Levenberg and Marquardt from `start`;
 /// the relief pressure is unchanged. Throws std::invalid_argument for fewer than 4 points, std::runtime_error if the
-/// method does not converge, and std::domain_error as boom_spool_for_flow does.
+/// method does not converge, and the std::domain_error of boom_spool_for_flow().
 FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, const FlowConstants& start);
 
-/// Returns the residuals for the given constants, as FlowConstantsFit::residuals_in.
+/// Returns the residuals for the given constants, in the form of FlowConstantsFit::residuals_in.
 std::vector<double> spool_residuals_in(std::span<const SteadyFlowPoint> table, const FlowConstants& constants);
 
 } // namespace placedpar::hydraulics

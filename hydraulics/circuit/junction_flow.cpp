@@ -135,8 +135,9 @@ private:
     }
 
     /// Adds the flow left over by rounding to one outlet: the one with the greater conductance^2 / flow, since its
-    /// pressure drop, flow^2 / conductance^2, changes less. An outlet without flow gets nothing. If neither outlet has
-    /// flow, the rest is too small to affect the pressure and goes to the outlet with the lowest pressure.
+    /// pressure drop, flow^2 / conductance^2, changes less. An outlet without flow receives none of the rest. If
+    /// neither outlet has flow, the rest is too small to affect the pressure and goes to the outlet with the lowest
+    /// pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;

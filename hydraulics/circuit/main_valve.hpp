@@ -7,9 +7,9 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// The pressures on which the configuration depends (2.4). We have the text of Figure 2.10 without its drawing, so this
-/// is our interpretation: branch n is the line from its pump past its first link, a check valve, and the junction of
-/// its second link.
+/// The pressures on which the configuration depends (2.4). We have only the text of Figure 2.10, not its drawing, so
+/// this is our interpretation: branch n is the line from its pump past its first link, a check valve, and the junction
+/// of its second link.
 struct BranchPressures {
     double p12_psi; ///< branch 1 before its check valve: past the bucket
     double p13_psi; ///< branch 1 behind its check valve: at the boom

@@ -7,7 +7,7 @@ namespace placedpar::hydraulics {
 
 /// These functions are the orifice equation, flow = k a sqrt(pressure drop), and its inverse. `conductance` is k a, a
 /// flow per root of pressure. Any consistent system of units may be used. T is double, or any class with the arithmetic
-/// of double and with max, abs and sqrt, such as several doubles at once.
+/// of double and with max, abs and sqrt, such as a class of several doubles.
 
 /// Returns max(x, 0); NaN stays NaN.
 template <typename T>

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 /// lowering.
 double desired_spool_in(double volts);
 
-/// Returns the voltage for a spool position, as a controller does: the inverse of A.1, accurate to the last bits.
+/// Returns the voltage for a spool position, as a controller does: the inverse of A.1, accurate to the last few bits.
 /// Throws std::invalid_argument if the spool is below 0 or not finite.
 double servo_volts(double spool_in);
 

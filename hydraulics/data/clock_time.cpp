@@ -37,7 +37,7 @@ int number_of(std::string_view text, std::size_t first, std::size_t count) {
     return number;
 }
 
-/// Returns the ns since 1970 at the beginning of the day, or nullopt if there is no such day.
+/// Returns the nanoseconds from 1970 to the beginning of the day, or nullopt if there is no such day.
 std::optional<std::int64_t> day_ns(std::string_view text) {
     using namespace std::chrono;
     const int in_year = number_of(text, 0, 4);
@@ -48,7 +48,7 @@ std::optional<std::int64_t> day_ns(std::string_view text) {
     return sys_days(date).time_since_epoch().count() * 86400 * ns_per_s;
 }
 
-/// Returns the ns of a text such as "14:30:00" or "143000" since midnight.
+/// Returns the nanoseconds from midnight to a time such as "14:30:00" or "143000".
 std::optional<std::int64_t> time_of_day_ns(std::string_view text) {
     const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2), seconds = number_of(text, 4, 2);
     if (!has_shape(text, {"00:00", "00:00:00", "0000", "000000"}) || hours > 23 || minutes > 59 || seconds > 60)
@@ -56,7 +56,7 @@ std::optional<std::int64_t> time_of_day_ns(std::string_view text) {
     return (3600 * hours + 60 * minutes + seconds) * ns_per_s;
 }
 
-/// Returns the ns of a text such as ".02" or "".
+/// Returns the nanoseconds of a fraction of a second such as ".02" or "".
 std::optional<std::int64_t> fraction_ns(std::string_view text) {
     if (text.size() == 1 || (!text.empty() && !std::ranges::all_of(text.substr(1), is_digit)))
         return std::nullopt;

@@ -19,7 +19,7 @@ struct ClockTime {
 std::optional<ClockTime> clock_time(std::string_view text);
 
 /// Finds the first date in the name of a file, such as "boom-2024-03-05.csv", "20240305_1430.csv" or
-/// "2024-03-05T14-30-00.csv". Returns the s since 1970; a date without a time is midnight.
+/// "2024-03-05T14-30-00.csv". Returns the seconds since 1970; a date without a time means midnight.
 std::optional<double> date_in_name(const std::string& file_name);
 
 /// Returns "2024-03-05 14:30", or "2024-03-05" for midnight.

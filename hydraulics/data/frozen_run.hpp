@@ -15,10 +15,10 @@ struct FrozenRun {
     double jump;             ///< step at the end of the run
 };
 
-/// These limits are all ours. A run has at least five equal readings and lasts at least 0.1 s, since the reading of a
-/// moving pressure or joint changes sooner. The jump is at least 40 psi, or half a degree. The jump is also greater
-/// than the step after it. This condition excludes a link that starts from rest: the link gathers speed, so its first
-/// step is smaller than the next.
+/// We chose these limits. A run has at least five equal readings and lasts at least 0.1 s, because the reading of a
+/// changing pressure or of a moving joint changes sooner. The jump is at least 40 psi, or half a degree. The jump is
+/// also greater than the step after it. This condition excludes a link that starts from rest: the link gathers speed,
+/// so its first step is smaller than the next.
 std::size_t fewest_frozen(double period_s);
 inline constexpr double least_jump_psi = 40, least_jump_deg = 0.5;
 

@@ -40,7 +40,8 @@ std::vector<Parameter> parameters_of(std::string_view text) {
         NamedCells cells = named_cells(row);
         const Unit* unit = unit_named(cells.unit.text);
         if (!unit || unit->factor != 1)
-            throw std::logic_error(fmt::format("excavator.csv:{}: not a unit of this room", row.line));
+            throw std::logic_error(
+                fmt::format("excavator.csv:{}: expected a unit whose factor in units.hpp is 1", row.line));
         parameters.push_back({cells.name.text, number_in(cells.value, row.line, faults), cells.unit.text,
                               cells.mark.text, cells.source.text});
     }
@@ -89,7 +90,8 @@ void Parameters::read(std::string_view text, std::vector<Diagnostic>& faults) {
     TextTable table = split_table(text, faults);
     if (!header_is_right(table.header)) {
         faults.push_back(error_at(table.header.line, table.header.cells.empty() ? 0u : 1u,
-                                  "this is not the header of a table of parameters", "name,value,unit,mark,source"));
+                                  "this is not the header of a table of parameters",
+                                  "write the header name,value,unit,mark,source"));
         return;
     }
     for (const TextRow& row : table.rows)
@@ -100,7 +102,7 @@ void Parameters::read_row(const TextRow& row, std::vector<Diagnostic>& faults) {
     const auto& [name, number, unit_name, mark, source] = named_cells(row);
     if (!find(name.text)) {
         refuse(faults, row.line, name, fmt::format("the machine has no parameter \"{}\"", name.text),
-               "placedpar parameters lists them");
+               "placedpar parameters lists all parameters");
         return;
     }
     Parameter& parameter = entry(name.text);
@@ -114,7 +116,7 @@ void Parameters::read_row(const TextRow& row, std::vector<Diagnostic>& faults) {
                fmt::format("\"{}\" is not a unit of {}", unit_name.text, name_of(quantity)), list_units(quantity));
     else if (std::ranges::find(marks, mark.text) == marks.end())
         refuse(faults, row.line, mark, fmt::format("\"{}\" is not a mark", mark.text),
-               "one of thesis, fitted, ours and measured");
+               "write thesis, fitted, ours or measured");
     else if (ParameterRange range = range_of(parameter.name); is_number && !range.contains(value * unit->factor))
         refuse(faults, row.line, number, fmt::format("{} cannot be {}", parameter.name, number.text), range.expected());
     else

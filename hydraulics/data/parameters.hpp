@@ -46,9 +46,9 @@ public:
     /// Replaces the parameter of the same name. Throws UnknownParameter if there is none.
     void put(Parameter parameter);
 
-    /// Reads a text whose rows replace the parameters of the same name, converting any unit of the quantity. Faults: an
-    /// unknown name, a unit of another quantity, a value that is not a number or outside the parameter's range
-    /// (parameter_range.hpp), an unknown mark.
+    /// Reads a text whose rows replace the parameters of the same name, converting any unit of the quantity. Adds a
+    /// fault for an unknown name, for a unit of another quantity, for a value that is not a number or is outside the
+    /// parameter's range (parameter_range.hpp), and for an unknown mark.
     void read(std::string_view text, std::vector<Diagnostic>& faults);
 
 private:

@@ -71,10 +71,11 @@ std::optional<Diagnostic> fault_of_step(double step_s, double period_s, const Te
                         "rows must be in order of time");
     double periods = std::round(step_s / period_s);
     if (periods < 1 || std::abs(step_s - periods * period_s) > jitter_tolerance * period_s)
-        return error_at(line, time.column,
-                        fmt::format("the time is {:.6g} s after the time on line {}", step_s, line_before),
-                        fmt::format("a whole number of sampling periods of {:.6g} s (the median step), within {:.0f} %",
-                                    period_s, 100 * jitter_tolerance));
+        return error_at(
+            line, time.column, fmt::format("the time is {:.6g} s after the time on line {}", step_s, line_before),
+            fmt::format(
+                "steps must be whole numbers of sampling periods of {:.6g} s (the median step), within {:.0f} %",
+                period_s, 100 * jitter_tolerance));
     if (periods > 1)
         return warning_at(
             line, time.column,
@@ -135,7 +136,7 @@ void check_times(Record& record, const TextTable& table, const TimeColumn& time,
             faults.push_back(
                 error_at(time.place.line, time.place.column,
                          "the sampling period changes: the times differ from whole periods by more than half a period",
-                         "a separate record for each sampling rate"));
+                         "write a separate record for each sampling rate"));
     }
     if (double number = record.period_s / time.unit.factor; !goes_on && !within(record.period_s, ordinary_period_s))
         faults.push_back(

@@ -97,8 +97,8 @@ struct HeaderFound {
     int score = -1;        ///< 0: no column is known; 1: the time's column is known; 2: a sensor's column is known, too
     std::size_t cells = 0; ///< number of cells
 
-    /// A higher score is better. At equal scores more cells are better, if both readings are of one line or if both
-    /// know only the time's column.
+    /// A higher score is better. At equal scores, more cells are better if both candidates are the same line, or if in
+    /// both only the time's column is known.
     bool is_better_than(const HeaderFound& other) const {
         return score > other.score || (score == other.score && cells > other.cells && (score == 1 || at == other.at));
     }
@@ -220,8 +220,8 @@ const Unit* RecordReader::unit_of(std::size_t index, const RecordChannel& channe
         error_at(table_.header.line, cell.column,
                  unit_name.empty() ? fmt::format("column \"{}\" has no unit", name)
                                    : fmt::format("\"{}\" is not a unit of {}", unit_name, name_of(channel.quantity())),
-                 fmt::format("{} [UNIT] with {}{}", name, list_units(channel.quantity()),
-                             channel.sensor ? "" : ", or dates with times such as 2024-03-05T14:30:00.020")));
+                 fmt::format("write {} [UNIT], where UNIT is {}{}", name, list_units(channel.quantity()),
+                             channel.sensor ? "" : "; or use dates with times, such as 2024-03-05T14:30:00.020")));
     return nullptr;
 }
 
@@ -267,7 +267,7 @@ void RecordReader::note_unused(const std::vector<TextCell>& unused, std::vector<
         "a column of another name"));
 }
 
-/// Reports names that the user gave and the file lacks.
+/// Reports the names that the user gave but the file does not have.
 void RecordReader::require_names(std::vector<Diagnostic>& faults) const {
     std::vector<std::string> there;
     for (const TextCell& cell : table_.header.cells)
@@ -283,7 +283,7 @@ void RecordReader::require_names(std::vector<Diagnostic>& faults) const {
 }
 
 void RecordReader::read_header(std::vector<Diagnostic>& faults) {
-    std::vector<TextCell> unused; // by their names, in quotes
+    std::vector<TextCell> unused; // names of the unused columns, in quotes
     take_units_row();
     for (std::size_t i = 0; i < table_.header.cells.size(); ++i)
         read_column(i, unused, faults);
@@ -293,12 +293,13 @@ void RecordReader::read_header(std::vector<Diagnostic>& faults) {
         return;
     auto time = std::ranges::find_if(columns_, [](const Column& column) { return !column.sensor; });
     if (time == columns_.end())
-        faults.push_back(error_at(table_.header.line, 1, "the column \"time\" is missing",
-                                  "add the column, usually the first: time [s]; or name it: --column time=NAME"));
+        faults.push_back(
+            error_at(table_.header.line, 1, "the column \"time\" is missing",
+                     "add the column time [s], usually the first; or name an existing column: --column time=NAME"));
     else if (columns_.size() == 1)
         faults.push_back(error_at(table_.header.line, 1, "the record has no column of a sensor",
-                                  "LINK.SENSOR, such as boom.inlet_pressure [psi]; or name it: --column "
-                                  "boom.inlet_pressure=NAME"));
+                                  "add a column LINK.SENSOR, such as boom.inlet_pressure [psi]; or name an existing "
+                                  "column: --column boom.inlet_pressure=NAME"));
     else
         time->is_clock = has_dates(time->index);
 }

@@ -48,8 +48,7 @@ Diagnostic thousands_fault(const TextCell& cell, std::size_t line) {
     point[point.rfind(',')] = '.';
     std::erase(point, ',');
     return error_at(line, cell.column, fmt::format("{} may be {} or {}", cell.text, without, point),
-                    "write numbers without separators of thousands; one number such as 0,5 shows that commas are "
-                    "decimal");
+                    "write numbers without thousands separators; one number such as 0,5 shows that commas are decimal");
 }
 
 } // namespace
@@ -84,7 +83,7 @@ void RecordReader::skip_missing() {
 }
 
 /// Finds out whether numbers have decimal commas: the last comma or point of the first number that has one decides.
-/// Commas are not clear if each is followed by three digits.
+/// Commas are ambiguous if each of them is followed by three digits.
 void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
     const TextCell* unclear = nullptr;
     std::size_t line = 0;
@@ -113,11 +112,12 @@ double RecordReader::clock_s(const TextRow& row, const Column& column, std::vect
         begun_ns_ = time->since_1970_ns, has_zone_ = time->has_zone;
     if (time && time->has_zone == has_zone_)
         return static_cast<double>(time->since_1970_ns - *begun_ns_) / 1e9;
-    faults.push_back(error_at(row.line, cell.column,
-                              !time       ? fmt::format("\"{}\" is not a date and time of ISO 8601", cell.text)
-                              : has_zone_ ? fmt::format("{} has no time zone, unlike the times before it", cell.text)
-                                          : fmt::format("{} has a time zone, unlike the times before it", cell.text),
-                              "such as 2024-03-05T14:30:00.020, or with its zone, 2024-03-05T14:30:00.020+01:00"));
+    faults.push_back(error_at(
+        row.line, cell.column,
+        !time       ? fmt::format("\"{}\" is not a date and time of ISO 8601", cell.text)
+        : has_zone_ ? fmt::format("{} has no time zone, unlike the times before it", cell.text)
+                    : fmt::format("{} has a time zone, unlike the times before it", cell.text),
+        "write times such as 2024-03-05T14:30:00.020, or all with a zone, such as 2024-03-05T14:30:00.020+01:00"));
     return 0;
 }
 
@@ -125,10 +125,11 @@ double RecordReader::clock_s(const TextRow& row, const Column& column, std::vect
 double RecordReader::value_in(const TextRow& row, const Column& column, std::vector<Diagnostic>& faults) {
     const TextCell& cell = row.cells[column.index];
     if (is_missing(cell)) {
-        faults.push_back(error_at(row.line, cell.column,
-                                  cell.text.empty() ? "no value" : fmt::format("\"{}\" is not a reading", cell.text),
-                                  "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such "
-                                  "rows out"));
+        faults.push_back(
+            error_at(row.line, cell.column,
+                     cell.text.empty() ? "the value is missing" : fmt::format("\"{}\" is not a reading", cell.text),
+                     "write a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves out rows "
+                     "with missing readings"));
         return 0;
     }
     if (column.is_clock)
@@ -210,7 +211,8 @@ bool RecordReader::read_table(std::string_view lines, std::vector<Diagnostic>& f
     if (table_.rows.empty() && has_errors(faults))
         return false;
     if (table_.header.cells.empty()) {
-        faults.push_back(error_at(0, 0, "the header is missing", "such as time [s],boom.inlet_pressure [psi]"));
+        faults.push_back(
+            error_at(0, 0, "the header is missing", "write a header such as time [s],boom.inlet_pressure [psi]"));
         return false;
     }
     if (table_.rows.empty() && !before_) { // only a header, or a file whose line ends were lost
@@ -264,7 +266,7 @@ std::vector<Diagnostic> RecordReader::finish() const {
     if (skipped_ > 0)
         faults.push_back(warning_at(first_skipped_line_, 1,
                                     skipped_ == 1 ? "a reading is missing" : "readings are missing",
-                                    fmt::format("{} left out; this is the first of them", counted(skipped_, "row"))));
+                                    fmt::format("{} left out, beginning with this row", counted(skipped_, "row"))));
     for (const Column& column : columns_)
         if (column.sensor && column.least <= column.greatest)
             check_channel(column.name, *column.sensor, *column.unit, column.least, column.greatest,

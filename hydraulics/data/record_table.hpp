@@ -38,8 +38,8 @@ struct ColumnName {
     std::string unit; ///< replaces the unit in the file; "": the unit in the file
 };
 
-/// Reads "boom.inlet_pressure=P_boom_in", "angle [deg]=Phi 1" (without a link: the boom's) or "time=Timestamp". The
-/// unit may be left out if the file has it. Throws UserError.
+/// Reads "boom.inlet_pressure=P_boom_in", "angle [deg]=Phi 1" (a sensor without a link is the boom's) or
+/// "time=Timestamp". The unit may be left out if the file has it. Throws UserError.
 ColumnName column_name(std::string_view text);
 
 /// States which channels a record must have.
@@ -52,10 +52,10 @@ struct RecordNeeds {
     std::vector<ColumnName> names = {};
 };
 
-/// Reads a record from comma-separated values, or from values separated by semicolons or tabs: the separator that
-/// divides the header into most columns, or that a line "sep=;" states. Numbers may have decimal commas. The header is
-/// the first line with a column of the time and one of a sensor; lines above it are description. It names each column
-/// and its unit, in any order; a row of units may follow:
+/// Reads a record from values separated by commas, semicolons or tabs. The separator is the one that a line "sep=;"
+/// states, or else the one that divides the header into the most columns. Numbers may have decimal commas. The header
+/// is the first line that names the time and a sensor; the lines above the header are the description. The header names
+/// each column and its unit, in any order; a row of units may follow:
 ///
 ///     # boom raised at 4 deg/s, seed 1              any number of lines of description
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]
@@ -63,9 +63,9 @@ struct RecordNeeds {
 ///
 /// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
 /// converted. The time may also be a date and time of ISO 8601, which is converted to seconds from the first instant. A
-/// column "configuration" without a unit has the letters a to e, or anything else where it is unknown. A
-/// column with another name causes a warning and is ignored. A channel that is not needed and has an empty
-/// cell is ignored.
+/// column "configuration" without a unit has the letters a to e, or any other text where the configuration is unknown.
+/// A column with another name causes a warning and is ignored. A channel that is not needed and has an empty cell is
+/// ignored.
 ///
 /// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
 /// not a number or larger than any measurement; times go back, repeat with other readings, or deviate from whole

@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The largest deviation of a logger's step from whole periods, as a share of a period; ours.
+/// The largest deviation of a logger's step from whole periods, as a share of a period; our choice.
 inline constexpr double jitter_tolerance = 0.25;
 
 /// Resamples readings whose instants jitter. Linear interpolation between neighbours gives readings that are whole

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The limits are ours: five samples at a longer period would outlast a transient, and shorter periods are untested.
+/// We chose these limits: five samples at a longer period would outlast a transient, and shorter periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
 /// A period may be beyond these limits by this factor, because of rounding.
 constexpr double rounding = 1 + 1e-6;
@@ -24,8 +24,8 @@ double mean_of(std::span<const double> values) {
 
 Sampling Sampling::of(double reading_s) {
     if (!(reading_s <= slowest_s * rounding))
-        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: fewer readings do "
-                                      "not show a transient of some tenths of a second",
+        throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at most {:.4g} s: slower readings do "
+                                      "not show a transient, which lasts some tenths of a second",
                                       reading_s, slowest_s));
     if (!(reading_s * rounding >= quickest_s))
         throw UnfitRecord(fmt::format("the readings are {:.4g} s apart, expected at least {:.4g} s (10 kHz): average "

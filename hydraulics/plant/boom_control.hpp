@@ -35,8 +35,8 @@ struct ControlledMotion {
 };
 
 /// Simulates the measured excavator under this control. The voltage stays in the range in which A.1 raises the boom.
-/// Until the reference rises, the voltage is ServoCommand::at_rest_volts. Throws UnfitScenario (requirement.hpp) as
-/// simulate_measured_excavator() does.
+/// Until the reference rises, the voltage is ServoCommand::at_rest_volts. Throws the UnfitScenario (requirement.hpp) of
+/// simulate_measured_excavator().
 ControlledMotion simulate_controlled(const MeasuredExcavator& excavator, const BoomSensors& sensors,
                                      const BoomControl& control, const UniformSource& uniform);
 

@@ -23,12 +23,13 @@ struct BoomSensors {
 /// Reads the rows sensors.*, noise.*, fault.spool_offset and excavator.joint_at_rest.
 BoomSensors boom_sensors(const Parameters& parameters = Parameters::excavator());
 
-/// Adds one reading of each sensor at this state: both pressures at the valve's ends of their hoses, the angle and the
-/// spool. Draws four normal numbers, in the order inlet pressure, outlet pressure, angle, spool, even without noise.
+/// Adds one reading of each sensor at this state: both pressures, each at the valve's end of its hose, the angle and
+/// the spool. Draws four normal numbers, in the order inlet pressure, outlet pressure, angle, spool, even without
+/// noise.
 void read_boom_sensors(const MeasuredState& state, const MeasuredExcavator& excavator, const BoomSensors& sensors,
                        const UniformSource& uniform, Record& record);
 
-/// Reads every sensor of the boom once a period: both pressures at the valve's ends of their hoses, the angle, the
+/// Reads every sensor of the boom once a period: both pressures, each at the valve's end of its hose, the angle, the
 /// spool, and the voltage that the control system commanded. Throws UnfitScenario (requirement.hpp) if the period is
 /// not a whole multiple of the motion's step.
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,

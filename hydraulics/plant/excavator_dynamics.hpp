@@ -8,7 +8,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The discrete state of one link and its junction: which valves are open, and which branches of the curves hold.
+/// The discrete state of one link and its junction: which valves are open, and which branches of the curves apply.
 struct LinkMode {
     bool inlet_open = false;  ///< the junction's pressure exceeds the link's
     bool bypass_open = false; ///< the junction's pressure exceeds the pressure beyond the bypass

@@ -48,7 +48,7 @@ void require_valid(const SpoolOrifices& valve, std::string_view link) {
         scenario_needs.not_negative(its(link, "ramp"), valve.steps[i].ramp_s);
         if (i > 0 && !(valve.steps[i].time_s > valve.steps[i - 1].time_s + valve.steps[i - 1].ramp_s))
             scenario_needs.refuse(its(link, "step time"), valve.steps[i].time_s,
-                                  "a time after that of the previous step");
+                                  "a time after the end of the previous step");
     }
 }
 

@@ -15,12 +15,13 @@ namespace placedpar::hydraulics {
 ExcavatorScenario single_boom_scenario(const Parameters& parameters = Parameters::excavator(),
                                        std::string_view motion = "scenario_a");
 
-/// Returns scenario R2, the simulation of 3.2: bucket and boom move on branch 1 of configuration a, and both valves
-/// follow the step of B.5.
+/// Returns the simulation of two links in section 3.2 of the thesis: bucket and boom move, supplied by the same pump
+/// (branch 1 of configuration a), and both valves open at once, as in section B.5.
 ExcavatorScenario two_link_scenario(const Parameters& parameters = Parameters::excavator());
 
-/// Returns a scenario in which the links `active` move in the given configuration. All valves follow the step of B.5,
-/// with final areas that give each link the flow that the controller demands. REQUIRES: a link is active.
+/// Returns a scenario in which the links `active` move in the given configuration. All valves open at once, as in
+/// section B.5 of the thesis, to final areas that give each link the flow that the controller demands. REQUIRES: a link
+/// is active.
 ExcavatorScenario step_scenario(Configuration configuration, LinkSet active,
                                 const Parameters& parameters = Parameters::excavator());
 

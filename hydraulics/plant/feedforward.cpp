@@ -40,7 +40,7 @@ std::vector<JunctionOpening> openings_for(const Circuit& circuit, std::span<cons
                                           double bypass_drop_psi) {
     assert(targets.size() == circuit.size());
     std::vector<double> psi = junction_pressures(circuit, targets, constants, inlet_drop_psi, bypass_drop_psi);
-    std::vector<double> passed_on(circuit.size()); // flow that each junction gets from earlier junctions
+    std::vector<double> passed_on(circuit.size()); // flow that each junction receives from earlier junctions
     std::vector<JunctionOpening> openings;
     double k = constants.orifice_in3_per_s_in2_sqrt_psi;
     for (std::size_t j = 0; j < circuit.size(); ++j) {

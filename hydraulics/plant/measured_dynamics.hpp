@@ -33,7 +33,7 @@ public:
         components
     };
     using State = std::vector<double>;
-    /// The discrete state: which valves are open, and which branch of the spool's curves holds.
+    /// The discrete state: which valves are open, and which branch of the spool's curves applies.
     struct Mode {
         bool inlet_open = false;
         bool relieving = false;

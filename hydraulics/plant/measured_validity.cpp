@@ -58,8 +58,8 @@ void require_valid_command(const MeasuredExcavator& excavator) {
         excavator_needs.refuse("the servo's bits", excavator.servo_converter.bits, "0 to 32");
 }
 
-/// Returns the greatest decay rate of the drain's pressure, per second. The flow is steepest at a drop of 0 with the
-/// spool at its furthest. There the slope of the flow is k a / sqrt(laminar).
+/// Returns the greatest decay rate of the drain's pressure, per second. The flow is steepest at a drop of 0 and with
+/// the spool at its greatest travel. There the slope of the flow is k a / sqrt(laminar).
 double drain_rate_per_s(const MeasuredExcavator& excavator) {
     double spool_in = 0;
     for (double time_s : {0.0, excavator.duration_s})

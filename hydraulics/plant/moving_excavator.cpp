@@ -156,11 +156,11 @@ private:
             const std::size_t i = index_of(link);
             dynamics_.load_lbf[i] = machine_.links[i].load_lbf - torques[i] / arm(i);
             if (const std::size_t line = reference_.current().line; !(dynamics_.load_lbf[i] > 0))
-                throw UnfitScenario(
-                    fmt::format("move {}{}: the soil's force of {:g} lbf takes away all of the {}'s load "
-                                "of {:g} lbf; expected a load above 0",
-                                reference_.move() + 1, line > 0 ? fmt::format(" (line {})", line) : "",
-                                reference_.current().soil_lbf, name_of(link), machine_.links[i].load_lbf));
+                throw UnfitScenario(fmt::format("move {}{}: the soil's force of {:g} lbf cancels the {}'s load of {:g} "
+                                                "lbf; the remaining load must be above 0",
+                                                reference_.move() + 1, line > 0 ? fmt::format(" (line {})", line) : "",
+                                                reference_.current().soil_lbf, name_of(link),
+                                                machine_.links[i].load_lbf));
         }
     }
 

@@ -17,8 +17,8 @@ struct TrackingGains {
 /// An excavator whose four links dig: the simplified links and valves of appendix B, the whole main valve with its
 /// cross-over network, and the controller that follows the joysticks.
 ///
-/// A link moves backwards under its load, not by the pump, and the valve throttles the oil that flows to the tank. This
-/// model is ours: the thesis gives no equations for backward motion.
+/// A link moves backwards under its load, without the pump, and the valve throttles the oil that flows to the tank.
+/// This model is ours: the thesis gives no equations for backward motion.
 struct MovingExcavator {
     MainValve valve{};
     CrossOverLimits cross_over{};

@@ -43,8 +43,8 @@ PdLoop with_compliance(const PdLoop& loop, double factor);
 /// dimensions.
 PdLoop as_printed(const PdLoop& loop);
 
-/// Returns the roots of the denominator, per second: the eigenvalues of its companion matrix, by growing real part. In
-/// a complex pair, the root below the real axis comes first.
+/// Returns the roots of the denominator, per second: the eigenvalues of its companion matrix, in order of increasing
+/// real part. In a complex pair, the root below the real axis comes first.
 std::array<std::complex<double>, 3> poles(const PdLoop& loop);
 
 /// The oscillation of the pair of complex poles.

@@ -146,8 +146,8 @@ std::span<const RecordScenario> record_scenarios() { return scenarios; }
 
 const RecordScenario& digging_scenario() {
     static constexpr RecordScenario digging{
-        "excavator", "all links of the simplified machine, which a job moves through the cross-over network",
-        as_they_are, digging_uses, record_digging};
+        "excavator", "all links of the simplified machine, moved by a job, with the cross-over network", as_they_are,
+        digging_uses, record_digging};
     return digging;
 }
 

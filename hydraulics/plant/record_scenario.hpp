@@ -26,7 +26,7 @@ struct RecordScenario {
     std::string_view name;  ///< such as "excavator"
     std::string_view about; ///< a short description
 
-    /// Returns the machine's constants, except those that the scenario replaces.
+    /// Returns the machine's constants; the scenario may replace some of them.
     Parameters (*parameters)(const Parameters& machine);
     /// Returns whether the record depends on this parameter.
     bool (*uses)(std::string_view parameter);

@@ -23,7 +23,8 @@ double asked_flow(const MovingExcavator& machine, Link link, const TrackedLink& 
     return piston_in3_per_rad(mechanics.inlet_area_in2, mechanics.moment_arm_in) * rate;
 }
 
-/// Limits flows to what reaches each junction, and pressures so that no junction exceeds the relief pressure.
+/// Limits each flow to the flow that reaches the junction, and each pressure so that no junction exceeds the relief
+/// pressure.
 void limit(const Circuit& circuit, std::vector<FlowTarget>& targets, const MovingExcavator& machine) {
     const FlowConstants& flow = machine.valve.flow;
     const double drops_psi = all_links.size() * (machine.gains.inlet_drop_psi + machine.gains.bypass_drop_psi);

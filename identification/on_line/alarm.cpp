@@ -1,6 +1,7 @@
 #include "identification/on_line/alarm.hpp"
 
 #include "identification/on_line/population_sets.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -50,10 +51,9 @@ std::string what_is_off(const LinkVerdict& link) {
 }
 
 Alarm alarm_of(Link link, AlarmKind kind, const LinkVerdict& verdict) {
-    std::string sure =
-        kind == AlarmKind::sensor
-            ? ""
-            : fmt::format("; {}, from {} movements", how_sure(verdict.verdict.probability), verdict.verdict.movements);
+    std::string sure = kind == AlarmKind::sensor ? ""
+                                                 : fmt::format("; {}, from {}", how_sure(verdict.verdict.probability),
+                                                               counted(verdict.verdict.movements, "movement"));
     return {kind, {link}, fmt::format("{}: {}{}", name_of(link), what_is_off(verdict), sure)};
 }
 
@@ -64,8 +64,8 @@ void check_branch(LinkSet branch, const PerLink<LinkVerdict>& verdicts, std::vec
     if (first && first != AlarmKind::sensor &&
         std::ranges::all_of(links, [&](Link link) { return kind(link) == first; })) {
         alarms.push_back({AlarmKind::branch, branch,
-                          fmt::format("{} and {} have the same fault ({}): check what they share, their pump and "
-                                      "the supply of their valves",
+                          fmt::format("{} and {} have the same fault ({}): check the parts that they share, the pump "
+                                      "and the supply of the valves",
                                       name_of(links[0]), name_of(links[1]), name_of(*first))});
         return;
     }

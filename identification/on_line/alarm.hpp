@@ -45,8 +45,8 @@ struct LinkVerdict {
 };
 
 /// Returns the alarms that follow from the verdicts, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the
-/// fault: if all links of a branch have the same fault, the cause is a part that they share, their pump or the supply
-/// of their valves.
+/// fault: if all links of a branch have the same fault, the cause is a part that they share: the pump, or the supply of
+/// the valves.
 std::vector<Alarm> find_alarms(const hydraulics::PerLink<LinkVerdict>& verdicts);
 
 } // namespace placedpar::identification

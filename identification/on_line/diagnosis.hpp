@@ -109,8 +109,8 @@ public:
     const std::vector<Alarm>& alarms() const { return state_.alarms; }
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
-    /// Returns the link's most informative verdict among those of all sets. Prefers a verdict with a fault, then the
-    /// verdict from more movements.
+    /// Returns the most informative of the verdicts that all sets give on the link. Prefers a verdict with a fault,
+    /// then the verdict from more movements.
     LinkVerdict verdict(hydraulics::Link link) const;
     /// Returns the compliance with which the link is compared: the value from the link's first movements, or else
     /// health_in3_per_psi().

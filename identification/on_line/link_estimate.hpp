@@ -36,8 +36,8 @@ public:
         friend bool operator==(const State&, const State&) = default;
     };
 
-    /// Settled values less than this time apart belong to one transient. Ours: an operator's movements are seconds
-    /// apart.
+    /// Settled values less than this time apart belong to one transient. We chose this time because an operator's
+    /// movements are seconds apart.
     static constexpr double transients_apart_s = 1;
 
     LinkEstimate() = default;

@@ -18,8 +18,8 @@ void push_bounded(std::vector<double>& values, double value) {
     values.push_back(value);
 }
 
-/// A gap between readings of this many time constants of the spool makes the earlier voltage irrelevant (ours). The
-/// spool is then assumed to be at the position for the newest voltage, as at the start.
+/// A gap between readings of this many time constants of the spool makes the earlier voltage irrelevant (our choice).
+/// The spool is then assumed to be at the position for the newest voltage, as at the start.
 constexpr double known_for_lags = 5;
 
 ValveAreas areas_at(double spool_in) {

@@ -15,7 +15,7 @@ using namespace hydraulics;
 namespace {
 
 constexpr double off_share = 0.15, off_errors = 3; ///< a link is faulty if its compliance deviates by more than this
-                                                   ///< share and more than this many errors; ours
+                                                   ///< share and more than this many errors; our choice
 
 ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<LinkConstants>& constants) {
     ValveReading reading;
@@ -31,7 +31,7 @@ ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<Li
 }
 
 bool excited(const std::vector<LinkSample>& links) {
-    constexpr double least_slope_psi_per_s = 300; // four times the scatter that medium noise gives; ours
+    constexpr double least_slope_psi_per_s = 300; // four times the scatter that medium noise causes; our choice
     return std::ranges::any_of(
         links, [](const LinkSample& link) { return std::abs(link.inlet_slope_psi_per_s) > least_slope_psi_per_s; });
 }
@@ -156,12 +156,11 @@ std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets) {
             const double apart = std::abs(result.compliance_in3_per_psi - mean.compliance_in3_per_psi);
             const double error = std::hypot(result.standard_error, mean.standard_error);
             if (apart > off_errors * error && apart > uncertain_share * mean.compliance_in3_per_psi)
-                found.flags.push_back(
-                    {FlagKind::inconsistent,
-                     fmt::format("inconsistent: {} finds {:.5f} in^3/psi (standard error {:.5f}), all "
-                                 "sets combined {:.5f} in^3/psi (cross-check 1)",
-                                 name_of_set(set), result.compliance_in3_per_psi, result.standard_error,
-                                 mean.compliance_in3_per_psi)});
+                found.flags.push_back({FlagKind::inconsistent,
+                                       fmt::format("inconsistent: {} finds {:.5f} in^3/psi (standard error {:.5f}), "
+                                                   "but all sets combined find {:.5f} in^3/psi (cross-check 1)",
+                                                   name_of_set(set), result.compliance_in3_per_psi,
+                                                   result.standard_error, mean.compliance_in3_per_psi)});
         }
         flag_limit(found);
         links.push_back(std::move(found));
@@ -178,10 +177,11 @@ std::string locate_faults(const std::vector<LinkIdentified>& links, const PerLin
                 wrong.push_back(&link);
         const bool shared = wrong.size() == 2 && off(*wrong[0], healthy) * off(*wrong[1], healthy) > 0;
         for (const LinkIdentified* link : wrong)
-            text += fmt::format("{}: {:+.0f} % in all sets against the constants of the machine: check {}\n",
-                                name_of(link->link), 100 * off(*link, healthy),
-                                shared ? "the pump and the supply of the valves, which both links of the branch share"
-                                       : "the link's hose, cylinder and oil");
+            text += fmt::format(
+                "{}: in all sets, the compliance differs by {:+.0f} % from the constants of the machine: check {}\n",
+                name_of(link->link), 100 * off(*link, healthy),
+                shared ? "the pump and the supply of the valves, which both links of the branch share"
+                       : "the link's hose, cylinder and oil");
     }
     return text.empty() ? "every link without a flag agrees with the constants of the machine\n" : text;
 }

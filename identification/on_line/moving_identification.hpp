@@ -23,7 +23,7 @@ struct Recognition {
 
 /// Identifies the compliances of a machine that moves (3.3). Recognises the configuration of each sample and the links
 /// into which oil flows, and searches with the population set of these links (Figure 3.13). At the end of each stretch
-/// with one configuration and the same links, the sets of this stretch make a round.
+/// in which configuration and links stay the same, the searches of its sets make a round.
 class MovingIdentification {
 public:
     /// Returns the settings of a search for this number of links.
@@ -61,16 +61,16 @@ private:
     std::size_t readings_ = 0;
     hydraulics::Configuration before_{};
     std::vector<hydraulics::LinkSet> in_use_;
-    std::vector<Pending> pending_; ///< samples whose last readings may still get another configuration
+    std::vector<Pending> pending_; ///< samples whose last readings may still be assigned to another configuration
     std::map<hydraulics::LinkSet, std::size_t> next_; ///< for each set, the first reading that its next sample may use,
                                                       ///< so that samples do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
     char truth_ = '-';              ///< the column's configuration at the last sample
-    std::size_t awaited_until_ = 0; ///< last reading at which recognising the change counts as soon
+    std::size_t awaited_until_ = 0; ///< until this reading, recognising the change counts in Recognition::soon
 };
 
-/// Returns the answer for each link: the mean over its sets, weighed by their errors. A link is flagged if its sets
+/// Returns the answer for each link: the mean over its sets, weighted by their errors. A link is flagged if its sets
 /// disagree (cross-check 1 of 3.3) or the mean is uncertain. Links without an answer of any set are left out.
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets);
 

@@ -14,7 +14,7 @@ namespace placedpar::identification {
 
 /// The result of a least-squares fit to a whole movement, including its rests, for one link. Verdicts use such results.
 struct WholeMovement {
-    Deviation deviation; ///< deviation from a healthy link: one with the healthy compliance, no leak and no offset
+    Deviation deviation; ///< deviation from a healthy link, which has the healthy compliance, no leak and no offset
     WayUnits units;
     double compliance_in3_per_psi;
 };

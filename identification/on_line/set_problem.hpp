@@ -20,7 +20,7 @@ using SetSample = std::vector<hydraulics::LinkSample>;
 /// meaning in all configurations. The circuit's junctions may have another order, which this class hides.
 class SetProblem {
 public:
-    /// REQUIRES: `links` is a non-empty part of one coupled group of the configuration.
+    /// REQUIRES: `links` is a non-empty subset of one coupled group of the configuration.
     SetProblem(hydraulics::Configuration configuration, hydraulics::LinkSet links,
                const hydraulics::FlowConstants& flow, std::size_t bits);
 

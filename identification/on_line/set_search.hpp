@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// The answer of one population set.
+/// The compliances found for one set of links that move together, with a population of its own.
 struct SetAnswer {
     hydraulics::LinkSet set;
     std::string configurations; ///< configurations in which the set was searched, such as "ad"
@@ -22,17 +22,20 @@ struct SetAnswer {
     std::vector<LinkIdentified> links; ///< in the order of links_of()
 };
 
-/// The search of one population set over all its samples, in whatever configurations of the main valve they were taken.
-/// The population is kept from one round to the next. Rounds and weights are those of whole_search.hpp.
+/// The search for the compliances of one set of links over all samples in which they move together, from all
+/// configurations of the main valve. The population is kept from one round to the next. Rounds and weights work as in
+/// whole_search.hpp.
 class SetSearch {
 public:
     static constexpr std::size_t fewest_samples = 10; ///< a set with fewer samples is not searched
 
     SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
 
-    /// Adds a sample in the order of the circuit of this configuration. Keeps the last 1,024 samples.
+    /// Adds a sample taken in this configuration. The links in `sample` are in the order of its circuit. Keeps the last
+    /// 1,024 samples.
     void add(hydraulics::Configuration, hydraulics::CircuitSample sample);
-    /// Makes the generations of a round if there are enough samples, and new ones since the last round.
+    /// Makes the generations of a round if there are enough samples, and if samples have been added since the last
+    /// round.
     void round();
     /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
     std::optional<SetAnswer> answer();
@@ -58,10 +61,11 @@ private:
     std::size_t rounds_ = 0, fresh_ = 0; ///< fresh: samples since the last round
 };
 
-/// The share of a compliance by which the interpolation between readings may shift an answer beyond its standard error.
+/// The greatest relative error of a compliance that comes from the interpolation between readings. Standard errors do
+/// not contain it.
 inline constexpr double model_share = 0.02;
 
-/// Returns the mean of independent results, weighed by their standard errors and model_share.
+/// Returns the mean of independent results, weighted by their standard errors and model_share.
 LeastSquares combined(const std::vector<LeastSquares>& results);
 
 } // namespace placedpar::identification

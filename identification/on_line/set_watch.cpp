@@ -11,10 +11,10 @@ using namespace hydraulics;
 
 namespace {
 
-/// If a piston retracts faster than this on average while oil flows in, the angle has the wrong sign (ours).
+/// If a piston retracts faster than this on average while oil flows in, the angle has the wrong sign (our choice).
 constexpr double least_inflow_in3_per_s = 1;
 
-/// If more oil than this flows into the cylinder and its hose, the oil drives the piston (ours).
+/// If more oil than this flows into the cylinder and its hose, the oil drives the piston (our choice).
 constexpr double driven_in3_per_s = 10;
 /// A boom that swings after its valve has shut swings back within this time.
 constexpr double longest_swing_s = 0.5;

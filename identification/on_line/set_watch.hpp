@@ -29,8 +29,8 @@ public:
     SetWatch(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}
     const State& state() const { return state_; }
 
-    /// The deviation of each link in the movement that has ended, in the order of links_of(); nullopt if none has
-    /// ended.
+    /// The deviation of each link in the movement that has ended, in the order of links_of(); nullopt if no movement
+    /// has ended.
     using Judged = std::optional<std::vector<Deviation>>;
 
     /// Adds a sample. `health_in3_per_psi` holds the healthy compliances of the links. REQUIRES: the problem has the

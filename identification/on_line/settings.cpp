@@ -31,7 +31,7 @@ double DiagnosisSettings::step_in3_per_psi() const {
 void DiagnosisSettings::validate() const {
     search.validate();
     require(bits >= 4 && bits <= 16, "the number of bits of a compliance", static_cast<double>(bits), "4 to 16");
-    require(gate.slope_psi_per_s >= 0, "the gate on excitation", gate.slope_psi_per_s, "0 psi/s or more");
+    require(gate.slope_psi_per_s >= 0, "the threshold of excitation", gate.slope_psi_per_s, "0 psi/s or more");
     require(median_over >= 1, "the number of generations of the median", static_cast<double>(median_over), "1 or more");
     require(settled_within > 0, "the width of a settled estimate", settled_within, "more than 0");
     require(inconsistent_over > 0, "the spread of inconsistent estimates", inconsistent_over, "more than 0");

@@ -19,13 +19,13 @@ struct DiagnosisSettings {
     SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
     std::size_t bits = 10;                    ///< bits per compliance; not printed in the thesis
     ExcitationGate gate;                      ///< shut while the excitation is too low; the estimate is then frozen
-    std::size_t skipped = 2;                  ///< usable samples left out after the path to a cylinder has opened; ours
-    /// The estimate is the median of the best individuals of this many generations; ours.
+    std::size_t skipped = 2; ///< usable samples left out after the path to a cylinder has opened; our choice
+    /// The estimate is the median of the best individuals of this many generations; our choice.
     std::size_t median_over = 25;
-    /// An estimate is settled if (greatest - least) / median of these individuals is at most this; ours.
+    /// An estimate is settled if (greatest - least) / median of these individuals is at most this number; our choice.
     double settled_within = 0.2;
-    double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; ours
-    double stale_after_s = 600;     ///< estimates older than this are left out of cross-checks; ours
+    double inconsistent_over = 0.3; ///< limit of (greatest - least) / median between population sets; our choice
+    double stale_after_s = 600;     ///< estimates older than this are left out of cross-checks; our choice
 
     /// Returns the resolution of a compliance.
     double step_in3_per_psi() const;

@@ -10,8 +10,8 @@
 
 namespace placedpar::identification {
 
-/// Computes the fitness of the strings of several generations over one window. Strings of at most `most_bits` bits
-/// (those of one link) are evaluated only once: a converging population has many equal strings, most of them from
+/// Computes the fitness of the strings of several generations over one window. Strings of at most `most_bits` bits (as
+/// in the sets of one link) are evaluated only once: a converging population has many equal strings, most of them from
 /// earlier generations.
 class WindowFitness {
 public:
@@ -30,7 +30,7 @@ private:
     const SetProblem& problem_;
     std::vector<hydraulics::CircuitTerms> window_;
     double bias_;
-    std::vector<std::uint8_t> met_; ///< whether a string has been seen, by the string as a number
+    std::vector<std::uint8_t> met_; ///< whether a string has been seen; the index is the string as a number
     std::vector<double> known_;     ///< fitness of each string that was seen
 };
 

@@ -77,12 +77,12 @@ std::string print_verdict(Link link, const LinkVerdict& said) {
             "{}: sound, {}, from its last {}; deviations: {}\n", name_of(link), how_sure(verdict.probability),
             verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"), print_deviation(said));
     if (verdict.kind == VerdictKind::cannot_tell)
-        return fmt::format("{}: cannot tell whether it is sound from its last {}; deviations: {}\n", name_of(link),
-                           verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
+        return fmt::format("{}: cannot tell from its last {} whether the link is sound; deviations: {}\n",
+                           name_of(link), verdict.movements == 1 ? "movement" : counted(verdict.movements, "movement"),
                            print_deviation(said));
     if (verdict.kind == VerdictKind::not_enough_evidence)
-        return fmt::format("{}: not enough evidence: the first {} movements set the baseline; a verdict needs one more "
-                           "movement, or two more if it is a fault\n",
+        return fmt::format("{}: not enough evidence: the first {} movements set the baseline; after that, one movement "
+                           "can show that the link is sound, and two can show a fault\n",
                            name_of(link), LinkJudge::movements_of_baseline);
     return "";
 }

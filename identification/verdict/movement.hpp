@@ -21,7 +21,7 @@ struct MovementSamples {
     friend bool operator==(const MovementSamples&, const MovementSamples&) = default;
 };
 
-/// Cuts a stream of samples into movements. All constants are ours. `slope_reach` and `slope_ahead` are numbers of
+/// Cuts a stream of samples into movements. We chose all constants. `slope_reach` and `slope_ahead` are numbers of
 /// samples.
 class Movement {
 public:

@@ -28,12 +28,12 @@ constexpr double noise_known_within = 0.3;
 /// The greatest difference between the compliances at rest and during the movement, in units: 0.25 units are 5 % of the
 /// compliance.
 constexpr double compliance_at_rest_within = 0.25;
-/// The share by which a leak at rest after a movement may be smaller than during the movement (ours). The pressure
-/// behind the piston, which is not read, reduces the leak.
+/// The share by which a leak at rest after a movement may be smaller than during the movement (our choice). The
+/// pressure behind the piston, which is not read, reduces the leak.
 constexpr double leak_after_within = 0.25;
 /// If only the flow during the movement distinguishes a leak from an offset, the leak has an error of about this many
-/// units (ours), since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a leak of
-/// -.4 to -2.8 units.
+/// units (our choice), since the equations are not exact. Sound machines without noise or at 5 kHz appear to have a
+/// leak of -.4 to -2.8 units.
 constexpr double leak_by_flow_within = 1.25;
 /// The assumed standard deviation of each deviation before a movement is evaluated, in units.
 constexpr double prior_units = 10;
@@ -139,7 +139,7 @@ ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction
             of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-/// Returns `change` of each moving sample as a column, with one row per junction.
+/// Returns change(sample) for each moving sample as a column, with one row per junction.
 template <class Change>
 MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
     MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));

@@ -20,7 +20,7 @@ struct LinkInHealth {
     hydraulics::AreasFrom areas = hydraulics::AreasFrom::spool;
 };
 
-/// Movements with fewer samples are not evaluated (ours).
+/// Movements with fewer samples are not evaluated (our choice).
 inline constexpr std::size_t fewest_moving = 12;
 
 /// Fits the deviations of all links of a circuit, in the order of its junctions, to one movement. The method is

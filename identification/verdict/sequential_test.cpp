@@ -17,7 +17,7 @@ double likelihood_ratio(const WayVector& seen, const WayMatrix& information, con
     return suspected.dot(information * (seen - suspected / 2));
 }
 
-/// Returns the variance of a reference of this covariance, measured in multiples of `by`; 0 if the reference is exact.
+/// A reference with this covariance is taken as t * `by`. Returns the variance of t; 0 if the reference is exact.
 double unknown_of(const WayMatrix& covariance, const WayVector& by) {
     return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }

@@ -18,15 +18,16 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// The error that remains in a mean of any number of movements, in units; ours.
+/// The error that remains in a mean of any number of movements, in the units of WayUnits; our choice.
 constexpr double mean_repeats_within = 0.05;
 
-/// The standard deviation, in units, of each deviation among healthy machines of a kind. For the compliance it is about
-/// as for a uniform distribution within 10 % of the mean.
+/// The standard deviation, in the units of WayUnits, by which healthy machines of one kind differ in each of the ways
+/// of Deviation. For the compliance, it is about the standard deviation of a uniform distribution within 10 % of the
+/// mean.
 constexpr double kind_within = 0.3;
 
-/// Returns the distribution of a kind's healthy deviations. A healthy link's small leak hardly changes when the valve
-/// opens.
+/// Returns how the deviations of healthy machines of one kind are distributed. A healthy link's small leak hardly
+/// changes when the valve opens.
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
@@ -45,7 +46,7 @@ WayMatrix information_of_mean(const Deviation& mean) {
 /// The most likely size of one fault as the only cause of a mean deviation.
 struct Explanation {
     FaultSize size;
-    double likelihood; ///< logarithm of the likelihood relative to sound
+    double likelihood; ///< logarithm of the likelihood, relative to a sound link
 };
 
 Explanation explanation_by(LinkFault fault, const Deviation& mean, const WayMatrix& information) {
@@ -55,7 +56,7 @@ Explanation explanation_by(LinkFault fault, const Deviation& mean, const WayMatr
     return {{pull / known, 1 / std::sqrt(known)}, takes_only && pull < 0 ? 0 : pull * pull / (2 * known)};
 }
 
-/// The posterior probabilities of sound and of each fault. The two leaks count as one fault.
+/// The posterior probabilities of a sound link and of each fault. The two leaks count as one fault.
 struct Shares {
     double sound, compliance, leak, offset;
 };
@@ -69,8 +70,8 @@ Shares shares_of(const Deviation& mean, const WayMatrix& information) {
     return {shares.sound / all, shares.compliance / all, shares.leak / all, shares.offset / all};
 }
 
-/// Returns the posterior probability that the link is sound, with equal priors for sound and each suspected fault.
-/// Directly measured areas have no offset hypothesis.
+/// Returns the posterior probability that the link is sound, with equal priors for a sound link and for each suspected
+/// fault. If the areas were measured directly, no offset is suspected.
 double probability_sound(const Deviation& mean, const WayMatrix& information, AreasFrom valve) {
     double all = 1;
     for (const Suspicion& suspicion : SequentialTest::suspicions) {

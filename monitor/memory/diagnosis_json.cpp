@@ -89,7 +89,7 @@ void require_whole(std::size_t links, const Movement::State& movement, const Sam
                      "a movement");
 }
 
-/// Matrices that are inverted later must have an inverse.
+/// Throws std::runtime_error if a matrix that is inverted later has no inverse.
 void require_invertible(const PerPairOfHypotheses& two, const char* what) {
     if (!has_inverse(two))
         throw std::runtime_error(fmt::format("{} has no inverse", what));

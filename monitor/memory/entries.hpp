@@ -43,8 +43,9 @@ struct UnwrittenState {
     std::shared_ptr<const identification::DiagnosisState> state;
 };
 
-/// Deletes the state and the history of a machine. Earlier messages of the machine may remain in the file. So the same
-/// transaction must have a message with the text `forget_text`, after which a restart does not process them again.
+/// Deletes the state and the history of a machine. Earlier messages of the machine may remain in the file. The same
+/// transaction must therefore have a message with the text `forget_text`: a restart does not process the machine's
+/// messages before this message.
 struct ForgottenMachine {
     std::string machine;
 };

@@ -18,7 +18,8 @@ std::string HistoryText::places(int columns) {
 }
 
 void HistoryText::throw_damaged(std::uint64_t number, const std::string& machine, const std::string& name) {
-    throw std::runtime_error(fmt::format("row {} of \"{}\" in its table of {} is damaged", number, machine, name));
+    throw std::runtime_error(
+        fmt::format("row {} of the machine \"{}\" in the table of {} is damaged", number, machine, name));
 }
 
 // SQLite does not store a negative zero; adding 0.0 makes it positive.

@@ -59,7 +59,7 @@ StateFile::StateFile(const fs::path& path, const std::string& settings, std::uin
         create_state_file(path_, settings_);
     }
     lock();
-    path_ = fs::canonical(path_); // SQLite puts its own file beside the file, not beside a link
+    path_ = fs::canonical(path_); // SQLite puts its journal beside the file itself, not beside a link to the file
     std::error_code another_owner;
     fs::permissions(path_, fs::perms::owner_read | fs::perms::owner_write, another_owner);
     auto refuse = [&](const std::string& why) {
@@ -101,14 +101,15 @@ void StateFile::open(StateContent& content) {
     history_.emplace(*database_, most_history_);
     const std::uint64_t expected = read_ledger(), found = read_machines(content) + history_->check();
     if ((found & sum_mask) != expected)
-        refuse_damaged("its rows do not match its ledger");
+        refuse_damaged("its rows do not match the sum of their checksums");
     read_messages(content);
     content.last_message = ledger_.last;
     statements_ = std::make_unique<Statements>(*database_);
     content.trouble = trouble_with_writing();
 }
 
-/// Returns why the file cannot be written, or "". Writes one page: SQLite would skip a write that changes nothing.
+/// Returns why the file cannot be written, or "". To find out, writes one page, because SQLite would skip a write that
+/// changes nothing.
 std::string StateFile::trouble_with_writing() {
     try {
         database_->run("BEGIN IMMEDIATE; UPDATE ledger SET last = last + 1; UPDATE ledger SET last = last - 1; COMMIT");
@@ -163,12 +164,12 @@ void StateFile::put_copy_in_place() {
 std::uint64_t StateFile::read_ledger() {
     store::Statement row(*database_, "SELECT settings, trimmed, last, sum, checksum FROM ledger");
     if (!row.step())
-        refuse_damaged("its ledger is empty");
+        refuse_damaged("its table \"ledger\" is empty");
     const std::string was = row.text(0);
     ledger_ = {unsigned_of(row.integer(1)), unsigned_of(row.integer(2))};
     const std::uint64_t sum = unsigned_of(row.integer(3));
     if (ledger_checksum(was, ledger_.trimmed, ledger_.last, sum) != row.integer(4))
-        refuse_damaged("its ledger has a wrong checksum");
+        refuse_damaged("its table \"ledger\" has a wrong checksum");
     if (was != settings_)
         throw OtherFile(fmt::format("the file was written with {}, but this monitor has {}; use the same "
                                     "options, or another --state file",

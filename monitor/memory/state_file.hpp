@@ -18,7 +18,7 @@ namespace placedpar::monitor {
 /// The content of a state file when it was opened.
 struct StateContent {
     std::vector<KeptState> machines;
-    std::vector<KeptMessage> messages; ///< messages after the states, in order of their numbers
+    std::vector<KeptMessage> messages; ///< messages accepted after the states, in order of their numbers
     std::uint64_t last_message = 0;    ///< the number of the last message ever stored
     std::string said;                  ///< a message for the operator about opening the file; may be ""
     std::string trouble; ///< why the file can be read but not written, such as a full disk; "" if it can be written
@@ -28,12 +28,12 @@ struct StateContent {
 /// history.
 ///
 /// 1. When commit() returns, its transactions are on the disk. After a kill or a loss of power, the file has either all
-///    transactions of a commit() or none. SQLite's rollback journal, which exists during a transaction only, guarantees
-///    this.
-/// 2. Every row has a checksum of its values. A single row, the ledger, records which messages there are, and the sum
-///    of the checksums of all other rows except the messages. A damaged or truncated file is therefore refused, unless
-///    the damage lies where no data is stored. A file whose rollback journal was damaged after a kill is refused, too.
-///    If the file is removed or replaced before commit() returns, commit() throws.
+/// transactions of a commit() or none. SQLite's rollback journal, which exists during a transaction only, guarantees
+/// this.
+/// 2. Every row has a checksum of its values. A single row, the ledger, states which messages the file has, and the sum
+/// of the checksums of all other rows except the messages. A damaged or truncated file is therefore refused, unless the
+/// damaged part of the file has no data. A file whose rollback journal was damaged after a kill is refused, too. If the
+/// file is removed or replaced before commit() returns, commit() throws.
 /// 3. The file is locked: only one program can open it at a time.
 /// 4. Only one thread may use an object at a time.
 class StateFile {

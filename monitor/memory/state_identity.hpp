@@ -16,7 +16,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Creates an empty state file that stores `settings`. The file gets its name only when its content is on the disk.
+/// Creates an empty state file that stores `settings`. The file receives its name only when its content is on the disk.
 /// Throws UserError.
 void create_state_file(const std::filesystem::path& path, const std::string& settings);
 
@@ -34,8 +34,9 @@ void require_path_of_file(const std::filesystem::path& path);
 /// The two versions differ in more than one bit, so that no flipped bit turns one version into the other.
 inline constexpr std::uint32_t file_version = 4, earlier_file_version = 2;
 
-/// Returns the version of a state file, one of the two above, by its first bytes. Throws OtherFile if the file belongs
-/// to another program or has another version, and std::runtime_error if it is not a state file.
+/// Reads the version of a state file from its first bytes. The result is `file_version` or `earlier_file_version`.
+/// Throws OtherFile if the file belongs to another program or has another version, and std::runtime_error if it is not
+/// a state file.
 std::uint32_t require_identity(const store::FileLock& file);
 
 /// Renames a file of the earlier version and the files beside it. Returns a message that tells the operator the new
@@ -46,8 +47,8 @@ std::string place_aside(const std::filesystem::path& path);
 /// Returns the message that put_aside() returns.
 std::string told_aside(const std::filesystem::path& path);
 
-/// Limits the ledger's checksum sum to 62 bits. The ledger keeps a sum because with an exclusive or, equal changes of
-/// two checksums would go unnoticed. Messages are not part of the sum.
+/// Limits the ledger's sum of checksums to 62 bits. The ledger keeps a sum, not an exclusive or, in which equal changes
+/// of two checksums would go unnoticed. Messages are not part of the sum.
 inline constexpr std::uint64_t sum_mask = (std::uint64_t{1} << 62) - 1;
 std::int64_t ledger_checksum(const std::string& settings, std::uint64_t trimmed, std::uint64_t last, std::uint64_t sum);
 

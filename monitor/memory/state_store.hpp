@@ -53,8 +53,8 @@ public:
     /// Processes what `tell` received. Must be called in the thread that calls the other functions.
     void note(const WriteProgress& progress);
 
-    /// Stores a message that the machine has accepted, the number of generations that it took, and its additions to the
-    /// history.
+    /// Stores a message that the machine has accepted, the number of generations that the message took, and the
+    /// message's additions to the history.
     std::uint64_t record(const std::string& machine, std::string_view message, std::size_t generations,
                          std::vector<Entry> history);
     /// Stores the present state of a machine.

@@ -27,7 +27,7 @@ double rounded(double value) {
     return result;
 }
 
-/// Rounds to 1 us; times may count from 1970.
+/// Returns the time rounded to 1 us. Six digits would not do: a time may be counted from 1970.
 json::value time_json(const std::optional<double>& time_s) {
     return time_s ? json::value(std::round(*time_s * 1e6) / 1e6) : json::value(nullptr);
 }

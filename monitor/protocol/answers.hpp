@@ -52,7 +52,7 @@ std::string configured_line(const identification::Diagnosis& diagnosis);
 std::string estimates_line(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
                            const identification::DiagnosisSettings& settings);
 std::string alarm_line(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, bool raised);
-/// Returns everything known of a machine: all sets of links ever used, baselines, cross-checks and alarms.
+/// Returns everything that is known about a machine: all sets of links ever used, baselines, cross-checks and alarms.
 std::string status_line(const identification::Diagnosis& diagnosis, const identification::DiagnosisSettings& settings);
 std::string netlist_line(const NetlistAnswer& answer);
 /// Returns the field "text" of netlist_line().

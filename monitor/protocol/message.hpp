@@ -10,14 +10,14 @@
 
 namespace placedpar::monitor {
 
-/// These types are the messages that a control system may send, one JSON object a line (docs/guides/monitor.md). The
-/// parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
+/// These types are the messages that a control system may send, one JSON object on each line (docs/guides/monitor.md).
+/// The parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
 /// protocol's word for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;
 
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection gets estimates: all samples, samples for which the search made
+/// Selects the samples after which a connection receives estimates: all samples, samples for which the search made
 /// generations, or no samples.
 enum class Answers : unsigned char { all, moved, none };
 

@@ -34,7 +34,7 @@ public:
     bool leaving = false;                            ///< the client is about to be closed and sends no more lines
     std::chrono::steady_clock::time_point heard;     ///< when the client's last line arrived
     bool has_samples = false;                        ///< at least one of the client's samples was accepted
-    bool keeps_place = false; ///< the client serves a known machine, so no newcomer takes its place
+    bool keeps_place = false; ///< the client serves a known machine, so no newcomer takes the client's place
     bool told_kept = true;    ///< value of `kept` in the last kept_line() sent to the client
 };
 

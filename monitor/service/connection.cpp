@@ -95,9 +95,10 @@ void Connection::send(std::string_view line) {
         return;
     if (queued_bytes() + line.size() > limits_.queue_bytes) {
         std::size_t lost = waiting_.size() + line.size();
-        waiting_.clear(); // what is being written ends with a whole line
-        refuse(fmt::format("client reads too slowly: {} bytes were queued, {} dropped", queued_bytes() + lost, lost),
-               "a client that reads answers as fast as it asks for them, or \"answers\":\"moved\"");
+        waiting_.clear(); // the text that is being written ends with a whole line
+        refuse(
+            fmt::format("the client reads too slowly: {} bytes were queued, {} dropped", queued_bytes() + lost, lost),
+            "a client that reads answers as fast as it asks for them, or \"answers\":\"moved\"");
         return;
     }
     waiting_ += line;
@@ -186,12 +187,13 @@ void Connection::tick(Clock::time_point now) {
     if (!writing_.empty() && seconds(now - last_written_) > limits_.stall_s)
         close();
     else if (!greeted_ && seconds(now - opened_) > limits_.hello_s)
-        refuse(fmt::format("no hello within {} s", limits_.hello_s),
+        refuse(fmt::format("no hello has arrived within {} s", limits_.hello_s),
                "{\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
     else if (!input_.empty() && !held_back_ && seconds(now - line_begun_) > limits_.line_s)
-        refuse(fmt::format("an incomplete line for {} s", limits_.line_s), "a whole line, ended by a newline");
+        refuse(fmt::format("the line is still incomplete after {} s", limits_.line_s),
+               "a whole line, ended by a newline");
     else if (seconds(now - last_line_) > limits_.idle_s)
-        refuse(fmt::format("no line for {} s", limits_.idle_s), "{\"type\":\"ping\"} from time to time");
+        refuse(fmt::format("no line has arrived for {} s", limits_.idle_s), "{\"type\":\"ping\"} from time to time");
 }
 
 void Connection::close() {

@@ -31,15 +31,15 @@ public:
         std::function<void(Connection&, std::string_view)> line;
         /// Returns the protocol's error line for the reason why the connection will be closed.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
-        /// Learns that the connection has closed; no handler is called after it.
+        /// Called when the connection has closed; no handler is called afterwards.
         std::function<void(Connection&)> closed;
     };
 
     Connection(Socket socket, const ServiceLimits& limits, Handlers handlers);
 
     void start();
-    /// Sends a line, which includes its newline. A client with more than `queue_bytes` waiting gets an error and is
-    /// closed.
+    /// Sends a line, which includes its newline. A client with more than `queue_bytes` waiting receives an error, and
+    /// its connection is closed.
     void send(std::string_view line);
     /// Sends the waiting output, then closes the connection. Input that still arrives is discarded.
     void finish();
@@ -52,7 +52,7 @@ public:
     /// Closes the connection immediately.
     void close();
 
-    /// Returns whether the connection takes and sends no more lines.
+    /// Returns whether the connection neither accepts nor sends further lines.
     bool finishing() const { return finishing_ || closed_; }
     std::size_t lines() const { return lines_; }
     std::size_t queued_bytes() const { return waiting_.size() + writing_.size() + held_; }

@@ -143,7 +143,8 @@ void Dispatcher::turn_away_browser(Client& client) {
 
 Diagnosis& Dispatcher::diagnosis_of(Client& client) const {
     if (!client.hello)
-        throw BadMessage("type", "no hello yet", "first {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
+        throw BadMessage("type", "this connection has sent no hello yet",
+                         "first {\"type\":\"hello\",\"version\":1,\"machine\":\"name\"}");
     return diagnoses_.named(client.hello->machine);
 }
 
@@ -350,7 +351,8 @@ void Dispatcher::answer(Client& client, const Forget& order, std::string_view) {
         throw BadMessage("machine", fmt::format("unknown machine \"{}\"", order.machine), "a known machine");
     if (!is_idle(order.machine))
         throw BadMessage(
-            "machine", fmt::format("{} are still connected to \"{}\"", clients_.staying(order.machine), order.machine),
+            "machine",
+            fmt::format("\"{1}\" still has open connections: {0}", clients_.staying(order.machine), order.machine),
             "a machine without connections; for a machine in use, a hello with \"anew\":true");
     forget(order.machine);
     say_(fmt::format("{}: forgotten at the request of {}", order.machine, client.caller.name));

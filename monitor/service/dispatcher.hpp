@@ -18,12 +18,12 @@
 
 namespace placedpar::monitor {
 
-/// Gives the clients' messages to the diagnoses and sends the answers. It does not use sockets. There is one overload
+/// Passes the clients' messages to the diagnoses and sends the answers. It does not use sockets. There is one overload
 /// of answer() for each message of the protocol.
 class Dispatcher {
 public:
     /// `store` may be null: then nothing is stored. `say` receives messages for the operator. `searches` may be null:
-    /// then no movement is given to a netlist. REQUIRES: the limits outlive this object.
+    /// then no netlist searches the movements. REQUIRES: the limits outlive this object.
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, web::Token token,
                std::function<void(const std::string&)> say, NetlistSearches* searches = nullptr);
 
@@ -47,7 +47,7 @@ public:
 
     ServiceSnapshot snapshot() const;
 
-    /// Returns the number of clients, without those that are about to be closed.
+    /// Returns the number of clients, without clients that are about to be closed.
     std::size_t clients() const { return clients_.size(); }
 
 private:

@@ -20,12 +20,12 @@ struct ServiceLimits {
     double newcomer_s = 600;             ///< time after which a machine without samples and connections is forgotten
     std::uint64_t history = 5000;        ///< number of estimates, and number of alarms, that are kept per machine
     std::size_t line_bytes = 64u << 10;  ///< longest message
-    std::size_t queue_bytes = 1u << 20;  ///< most bytes waiting to be sent to one client
+    std::size_t queue_bytes = 1u << 20;  ///< largest number of bytes that wait to be sent to one client
     double hello_s = 10;                 ///< longest time from the connection to the first hello, load or ping
     double line_s = 10;                  ///< longest time from the first to the last byte of a line
-    double idle_s = 300;                 ///< longest time without a line
-    double stall_s = 10;                 ///< longest time in which the client reads nothing
-    double closing_s = 1;                ///< time for a client to read the last message
+    double idle_s = 300;                 ///< longest time in which a client sends no line
+    double stall_s = 10;                 ///< longest time in which a client reads nothing
+    double closing_s = 1;                ///< time that a client has to read the last message
 };
 
 } // namespace placedpar::monitor

@@ -6,9 +6,9 @@
 
 namespace placedpar::monitor {
 
-/// Writes messages for the operator, one a line with its time (UTC). It never blocks: a pipe that is not read, a
-/// stopped terminal or a full disk makes it drop lines. It counts the dropped lines and reports the count when writing
-/// is possible again. Only one thread may use it at a time.
+/// Writes messages for the operator, each on its own line with the time (UTC). It never blocks: a pipe that is not
+/// read, a stopped terminal or a full disk makes it drop lines. It counts the dropped lines and reports the count when
+/// writing is possible again. Only one thread may use it at a time.
 class Log {
 public:
     /// Writes to an open file, such as standard error; -1 discards everything.

@@ -20,8 +20,8 @@ namespace placedpar::monitor {
 /// Records the movements of all machines. A separate thread finds the compliances of each movement that has ended.
 class NetlistSearches {
 public:
-    /// Finds the compliances from all samples of a movement, which are `period_s` apart. Throws std::exception, which
-    /// says why there is no answer.
+    /// Finds the compliances from all samples of a movement. The samples are `period_s` apart. Throws std::exception,
+    /// which says why there is no answer.
     using Search = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
 
     /// The number of movements that may wait for the search (our choice); further movements are skipped.

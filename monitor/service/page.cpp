@@ -148,7 +148,7 @@ function chart(points, alarms, healthy) {
     all.append(svg("line", {x1: x(a.raised_at), x2: x(a.raised_at), y1: top, y2: h - bottom, style: "stroke:var(--alarm)", "stroke-dasharray": "4 3"}),
       svg("text", {x: x(a.raised_at) + 3, y: top + 10, style: "fill:var(--alarm)"}, a.alarm));
   const names = [...new Set(points.map(p => `${p.link} by ${p.set}`))].sort();
-  let place = left, line = h; // of the next name below the chart
+  let place = left, line = h; // position of the next name below the chart
   names.forEach((name, i) => {
     const colour = colours[i % colours.length], kind = marks[i % marks.length];
     const mine = points.filter(p => `${p.link} by ${p.set}` === name).sort((a, b) => a.at - b.at);
@@ -166,7 +166,7 @@ function chart(points, alarms, healthy) {
   all.setAttribute("viewBox", `0 0 ${w} ${line + 20}`);
   const beside = [];
   links.forEach((link, i) => {
-    let at = y(known[i]); // names do not lie on each other
+    let at = y(known[i]); // names do not overlap
     while (beside.some(other => Math.abs(other - at) < 12)) at -= 12;
     beside.push(at);
     all.append(svg("line", {x1: left, x2: w - right, y1: y(known[i]), y2: y(known[i]), "stroke-dasharray": "1 4", "stroke-width": 2, style: "stroke:var(--good)"}),

@@ -12,7 +12,7 @@ namespace placedpar::monitor {
 
 namespace {
 
-constexpr std::uint64_t most_rows = 500; ///< most estimates, and most alarms, on the page
+constexpr std::uint64_t most_rows = 500; ///< largest number of estimates, and of alarms, on the page
 constexpr const char *json_type = "application/json", *html_type = "text/html; charset=utf-8",
                      *metrics_type = "text/plain; version=0.0.4; charset=utf-8";
 

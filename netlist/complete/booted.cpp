@@ -41,7 +41,7 @@ bool has_host(const Network& network, std::size_t node) {
     return false;
 }
 
-/// Checks that a node's code can be executed. `booted` is the node with the file by which this one is reached.
+/// Checks that the node can execute code. `booted` is the node whose bootable file boots this node.
 void check_type(Completion& c, const Node& node, const Node& booted) {
     check_executes(c, node, {{"the file is named here", booted.boot_stated}});
 }
@@ -68,8 +68,8 @@ void check_boot(Completion& c, std::size_t index) {
     }
 }
 
-/// Returns the table of code and processes of a compiled program, or reads that which a compiler has written beside a
-/// bootable file; null if there is none.
+/// Returns the table of code and processes of the node's program. Reads the table from the file NAME.lines beside the
+/// bootable file, unless the program was compiled in this run. Returns null if there is no table.
 std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted) {
     if (const auto known = c.compiled.find(booted.boot_file); known != c.compiled.end())
         return known->second.lines;
@@ -83,7 +83,7 @@ std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted
     return source.problems.empty() ? source.file : nullptr;
 }
 
-/// Gives a node its part of a table. `section`: the name of the node in the table.
+/// Reads the node's section of the table. `section`: the name of the node in the table.
 void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, Node& node, std::string_view section) {
     const auto model = transputer::model_named(node.type);
     if (!table || !model || node.code_lines)
@@ -96,7 +96,8 @@ void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, N
     }
 }
 
-/// Marks the processors that code can reach from a booted one: they have no processes, and boot over their links.
+/// Marks the processors that execute the code of a booted processor: all processors without processes that can be
+/// reached from it over links. They are booted over their links.
 void reach(Completion& c, std::size_t from) {
     std::vector<std::size_t> reached{from};
     c.network.nodes[from].runs_own_code = true;

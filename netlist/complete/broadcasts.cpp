@@ -62,15 +62,14 @@ RouteHop Broadcasts::way_of(const NetworkChannel& channel, const Placed& placed)
 void Broadcasts::require_output(const NetworkChannel& channel, const Placed& placed) const {
     std::string what =
         fmt::format("the channel \"{}\" is placed on the bus \"{}\"", channel.name, node_name(placed.bus()));
-    const char* leads =
-        "a channel on a bus must lead from a process on a master of the bus to processes at the links of its "
-        "link adapters";
+    const char* leads = "a channel on a bus must lead from a process on a master of the bus to a process on a "
+                        "processor at a link adapter of the bus";
     if (channel.from.at_edge() || channel.to.at_edge())
-        refuse(placed.by.at, what + ", but has an end at an edge", leads);
+        refuse(placed.by.at, what + ", but one of its ends is at an edge", leads);
     if (&placed.end == &channel.from)
         return;
     bool from_master = channel.from.node != nowhere && is_master(channel.from.node, placed.bus());
-    refuse(placed.by.at, what + " at its input",
+    refuse(placed.by.at, what + " at its input, not at its output",
            from_master
                ? fmt::format("place its output: place {} on {};", end_name(channel.from), node_name(placed.bus()))
                : leads,
@@ -117,10 +116,11 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
     for (std::size_t way : adapter_ways(bus))
         if (const LinkConnection& each = connection(way);
             each.b.node == channel.to.node && each.a.node != channel.from.node)
-            return fmt::format("{}, but its link adapter \"{}\" is used by \"{}\", not by \"{}\"", receiver,
-                               node_name(slave_of(each).node), node_name(each.a.node), node_name(channel.from.node));
+            return fmt::format("{}, but the link adapter \"{}\" that leads there belongs to \"{}\", not to \"{}\"",
+                               receiver, node_name(slave_of(each).node), node_name(each.a.node),
+                               node_name(channel.from.node));
     if (is_master(channel.to.node, bus))
-        return receiver + ", whose memory is on the bus, but which is not connected to a link adapter";
+        return receiver + ", which has memory on the bus, but no link adapter";
     return fmt::format("{}, {}", receiver,
                        placement_of(channel.to) ? "but no link adapter leads to the stated link"
                                                 : "which no link adapter leads to");

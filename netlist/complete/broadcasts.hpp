@@ -16,7 +16,7 @@ public:
     /// REQUIRES: both arguments outlive this object. `load` has the layout of RouteSearch's `load`.
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
-    /// The end of a channel that is placed on a bus, and the placement.
+    /// Describes a channel's end that the netlist places on a bus, and the placement.
     struct Placed {
         const ChannelEnd& end;
         const DraftPlacement& by;

@@ -45,14 +45,14 @@ private:
         bool master = c_.network.nodes[attachment.node].kind->is_master();
         attachment.name = connection.name;
         if (connection.bits_per_second || connection.metres)
-            return refuse(attachment.connected,
-                          fmt::format("the connection \"{}\" leads to a bus, so it has no link speed and no "
-                                      "length",
-                                      connection.name),
-                          "a connection to a bus has the attributes level and release", connection);
+            return refuse(
+                attachment.connected,
+                fmt::format("the connection \"{}\" leads to a bus, so it cannot have a link speed or a length",
+                            connection.name),
+                "a connection to a bus has the attributes level and release", connection);
         if (!master && (connection.level || connection.release))
             return refuse(attachment.connected,
-                          fmt::format("\"{}\" never requests the bus, so it has no {}",
+                          fmt::format("\"{}\" never requests the bus, so its connection cannot have a {}",
                                       c_.network.nodes[attachment.node].name, connection.level ? "level" : "release"),
                           "only workstations and bus masters request a bus", connection);
         attachment.level = connection.level.value_or(attachment.level);
@@ -70,7 +70,7 @@ private:
             if (const Node& adapter = c_.network.nodes[i];
                 adapter.kind->bus == BusRole::adapter && !is_on_bus(c_.network, i) && !c_.reporter.failed())
                 c_.reporter.error(adapter.declared,
-                                  fmt::format("the link adapter \"{}\" is connected to no bus", adapter.name),
+                                  fmt::format("the link adapter \"{}\" is not connected to a bus", adapter.name),
                                   fmt::format("connect {}.bus[0] to vme.slot[...];", adapter.name));
     }
 

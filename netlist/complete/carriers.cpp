@@ -15,8 +15,8 @@ namespace {
 
 /// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
 /// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
-/// fewest channels in that direction; among equal wires, the wire with the lowest link number at the sender. A channel
-/// to or from an edge takes one wire.
+/// fewest channels in the channel's direction; among equal wires, the wire with the lowest link number at the sender. A
+/// channel to or from an edge takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -94,8 +94,8 @@ private:
         return result;
     }
 
-    /// Returns the search for routes of this channel. Channels between processes that are code lead through other
-    /// processors than those of other processes.
+    /// Returns the search for routes of this channel. Channels between processes that are code may lead through
+    /// different processors than other channels.
     RouteSearch& search(const NetworkChannel& channel) {
         return is_between_code(c_.network, channel) ? *search_for_code_ : search_;
     }
@@ -107,7 +107,7 @@ private:
                                                [&](auto& hop) { return load(hop) > 1 && !is_shared(hop.connection); });
     }
 
-    /// Returns whether the connection is a way that carries any number of channels without packets.
+    /// Returns whether the connection is a way (BusWay) that can carry any number of channels without packets.
     bool is_shared(std::size_t connection) const {
         const auto& way = wires_[connection].over_bus;
         return way && c_.network.nodes[c_.network.attachments[way->master].bus].kind->medium->shares_ways;
@@ -122,7 +122,7 @@ private:
     }
 
     /// Places a channel to an edge, or to a processor's own code, on the connection. Refuses a connection that does not
-    /// join the channel's process to it.
+    /// join the channel's process to this edge or processor.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -140,7 +140,8 @@ private:
         ++load(channel.placement.route.front());
     }
 
-    /// Refuses two channels to a processor's own code on one direction of a wire: its program moves only bytes.
+    /// Refuses two channels to a processor's own code on one direction of a wire. The code sends and receives only
+    /// bytes, so it could not tell the channels apart.
     void check_channels_to_code() {
         std::map<std::pair<std::size_t, bool>, const NetworkChannel*> first;
         for (const auto& channel : c_.network.channels)
@@ -150,9 +151,9 @@ private:
                 if (!is_new)
                     c_.reporter.error(channel.connected,
                                       fmt::format("the channels \"{}\" and \"{}\" use the same direction of a wire to "
-                                                  "\"{}\", which executes its own code",
+                                                  "\"{}\", but its program would receive both on one link",
                                                   known->second->name, channel.name, node_name(end->node)),
-                                      "place one of them on another link to this processor",
+                                      "place one of the channels on another link to this processor",
                                       {{"the first channel is placed here", known->second->connected}});
             }
     }
@@ -172,8 +173,8 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// Returns the best route over these wires in this order. Throws StatementRefused, after reporting, if no route
-    /// exists.
+    /// Returns the best route that takes these wires in this order. Throws StatementRefused, after reporting, if no
+    /// route exists.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
             throw StatementRefused{}; // already reported
@@ -333,8 +334,8 @@ private:
         for (const auto& connection : c_.network.connections)
             for (auto [near, far] : {std::pair(connection.a, connection.b), std::pair(connection.b, connection.a)})
                 if (far.at_edge() && (edge == nowhere || far.node == edge))
-                    return fmt::format("\"{}\" is connected to {}: place the process there", node_name(far.node),
-                                       link_name(c_.network.nodes, near));
+                    return fmt::format("\"{}\" is connected to {}: place the process on that processor",
+                                       node_name(far.node), link_name(c_.network.nodes, near));
         auto link = c_.free_link(node);
         return link.empty() ? fmt::format("all links of \"{}\" are taken: connect one of its links to the edge "
                                           "instead",
@@ -375,24 +376,26 @@ private:
         add_quotas(places, from, to);
         if (is_between_code(c_.network, channel))
             add_obstacles(places, from, to);
-        refuse(channel.connected,
-               fmt::format("the channel \"{}\" has no route: no wires through processors join \"{}\" and \"{}\"",
-                           channel.name, node_name(from), node_name(to)),
-               fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to),
-                           links_of(to), missing_wire(from, to)),
-               std::move(places));
+        refuse(
+            channel.connected,
+            fmt::format("the channel \"{}\" has no route: no chain of wires through processors joins \"{}\" and \"{}\"",
+                        channel.name, node_name(from), node_name(to)),
+            fmt::format("\"{}\" has {}; \"{}\" has {}{}", node_name(from), links_of(from), node_name(to), links_of(to),
+                        missing_wire(from, to)),
+            std::move(places));
     }
 
     /// Adds a note for each other processor whose `linkquota` excludes some of its wired links.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))
-                places.push_back({fmt::format("\"{}\" leads channels through {} of its links (linkquota)",
+                places.push_back({fmt::format("\"{}\" passes channels on over only {} of its links (linkquota)",
                                               node_name(node), c_.network.nodes[node].integer("linkquota")),
                                   c_.network.nodes[node].declared});
     }
 
-    /// Adds a note for each processor on the best route of other channels that cannot pass on a channel of code.
+    /// Adds a note for each processor that any other channel could pass through, but not a channel between processes
+    /// that are code.
     void add_obstacles(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) {
         const std::vector<RouteHop> route = search_.best(from, to).value_or(std::vector<RouteHop>{});
         for (std::size_t i = 0; i + 1 < route.size(); ++i) {
@@ -406,7 +409,7 @@ private:
                      c_.network.nodes[node].declared});
             else
                 places.push_back(
-                    {fmt::format("\"{}\" cannot pass the channel on: \"{}\", which is not code, is placed here",
+                    {fmt::format("\"{}\" cannot pass the channel on: \"{}\", which is not in occam, is placed here",
                                  node_name(node), process->name),
                      process->placed});
         }

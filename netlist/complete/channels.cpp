@@ -38,7 +38,8 @@ private:
         return end.process == nowhere ? end.port : c_.draft.processes[end.process].name + "." + end.port;
     }
 
-    /// Returns nothing, after reporting why, if the end's direction is unknown.
+    /// Returns the port and the direction of a channel's end; nothing, after reporting an error, if the direction is
+    /// unknown.
     std::optional<End> look_up(const DraftChannelEnd& end) {
         if (end.process == nowhere) {
             auto direction = c_.draft.edge_channels[end.edge_channel].direction;
@@ -101,8 +102,8 @@ private:
         c_.draft_channel.push_back(draft);
     }
 
-    /// Returns whether the two ports carry the same messages. Ports of code agree with one another if their protocols
-    /// do, and with a C++ type if its byte form is that of their protocol.
+    /// Returns whether the two ports carry the same messages. Two ports of code must have the same protocol. A port of
+    /// code agrees with a C++ type that has the byte form of the port's protocol.
     static bool agree(const PortDescription& a, const PortDescription& b) {
         if (a.type != b.type)
             return std::ranges::find(a.byte_types, b.bytes_as) != a.byte_types.end() ||
@@ -111,7 +112,7 @@ private:
     }
 
     void refuse_protocols(const DraftChannel& draft, const PortDescription& a, const PortDescription& b) {
-        c_.reporter.error(draft.at, fmt::format("the protocols differ: \"{}\" carries {}, \"{}\" carries {}",
+        c_.reporter.error(draft.at, fmt::format("the protocols differ: \"{}\" carries {}, but \"{}\" carries {}",
                                                 shown(draft.a), a.protocol, shown(draft.b), b.protocol));
     }
 
@@ -124,11 +125,12 @@ private:
                                      "a channel leads from an output to an input");
         const auto& edge = draft.a.process == nowhere ? draft.a : draft.b;
         const auto& process = draft.a.process == nowhere ? draft.b : draft.a;
-        c_.reporter.error(draft.b.at,
-                          fmt::format("the edge channel \"{}\" is an {} of the network, \"{}\" an {} of its process",
-                                      edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction),
-                                      shown(process), word(direction)),
-                          "an input of the network leads to an input of a process, an output to an output");
+        c_.reporter.error(
+            draft.b.at,
+            fmt::format("the edge channel \"{}\" is an {} of the network, but \"{}\" is an {} of its process",
+                        edge.port, word(c_.draft.edge_channels[edge.edge_channel].direction), shown(process),
+                        word(direction)),
+            "connect an input of the network to an input of a process, and an output to an output");
     }
 
     ChannelEnd end_of(const DraftChannelEnd& end) const {
@@ -143,7 +145,7 @@ private:
     }
 
     /// Adds the channel of a port that is not connected, but placed on a link to an edge or to a processor that
-    /// executes its own code. The INMOS tool accepts this form for edges, too.
+    /// executes its own code. INMOS's configurer icconf accepts this form for edges, too.
     void add_placed(std::size_t index, Direction direction, const std::string& name, const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[index];
         std::size_t beyond = edge_behind(placement.where);
@@ -203,19 +205,20 @@ private:
         const bool at_run_time =
             c_.network.connections[c_.connection_at.at({placement.where.node, placement.where.link})].at_run_time;
         if (at_run_time || here.kind->executes == Execution::none) {
-            c_.reporter.error(placement.at,
-                              fmt::format("the channel \"{}.{}\" leads to \"{}\", which executes its own code, {}",
-                                          process.name, name, c_.network.nodes[node].name,
-                                          at_run_time ? "by a switch that is set during the run"
-                                                      : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
-                              "such a channel needs a wire between two processors, or from a workstation");
+            c_.reporter.error(
+                placement.at,
+                fmt::format("the channel \"{}.{}\" cannot lead to \"{}\", which executes its own code, {}",
+                            process.name, name, c_.network.nodes[node].name,
+                            at_run_time ? "through a switch that is set during the run"
+                                        : fmt::format("from \"{}\", {}", here.name, here.kind->noun)),
+                "such a channel needs a wire between two processors, or from a workstation");
             return false;
         }
         if (port == nullptr || port->has_byte_form)
             return true;
         c_.reporter.error(placement.at,
                           fmt::format("the channel \"{}.{}\" of the kind \"{}\" carries {}, which cannot travel as "
-                                      "bytes, but the code that \"{}\" executes can move only bytes",
+                                      "bytes, but the code that \"{}\" executes can send and receive only bytes",
                                       process.name, name, kind->name, port->protocol, c_.network.nodes[node].name),
                           "numbers, truth values, arrays and counted arrays of them, variants of all these, and the "
                           "packets of the csp kinds can travel as bytes");
@@ -230,8 +233,8 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Refuses a channel that is placed on the link of a processor that executes its own code. Names the link at the
-    /// other end of the wire, if it is on the process's processor.
+    /// Refuses a channel that is placed on the link of a processor that executes its own code. If the other end of the
+    /// wire is on the process's processor, the hint names this end.
     void refuse_placed_at_code(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
         const std::string channel = process.name + "." + port;
         auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
@@ -293,8 +296,9 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless it may follow from an error that was reported: a `connect` names the
-    /// channel and some `connect` was refused, or a `connect` names a channel that the process lacks.
+    /// Reports an unconnected channel, unless an error that was reported may be the cause. This is so if a `connect`
+    /// names the channel and some `connect` was refused, or if a `connect` names a channel that the process does not
+    /// have.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
@@ -347,7 +351,7 @@ private:
         return true;
     }
 
-    /// Refuses a port of fixed size of which fewer or more channels are connected.
+    /// Refuses a port of fixed size if another number of its channels is connected.
     void check_elements(std::size_t index, const ProcessKind& kind) {
         const DraftProcess& process = c_.draft.processes[index];
         for (const PortDescription& port : kind.ports) {

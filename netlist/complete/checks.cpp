@@ -76,8 +76,8 @@ void check_nodes(Completion& c) {
             c.reporter.error(node.declared, reason);
 }
 
-/// Warns once if a node has the attribute `tolerance` and some channel leads over several wires. How the INMOS tool
-/// uses this attribute is not published. PlacedPar ignores it, so routes may differ.
+/// Warns once if a node has the attribute `tolerance` and some channel leads over several wires. It is not published
+/// how INMOS's configurer icconf uses this attribute. PlacedPar ignores it, so routes may differ.
 void check_tolerance(Completion& c) {
     auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
     auto channel = std::ranges::find_if(c.network.channels, led_through);

@@ -36,8 +36,8 @@ struct Completion {
     std::string free_link(std::size_t node) const;
 };
 
-/// images.cpp: places processes that are code on a transputer of their own if the network has no others and places
-/// none.
+/// images.cpp: if every process of the network is code (ProcessKind::is_code) and none is placed, adds a transputer and
+/// places all of them on it.
 void place_code(Completion& completion);
 /// hosts.cpp: turns each edge with processes into a workstation.
 void complete_hosts(Completion& completion);
@@ -62,16 +62,17 @@ void check_switched(Completion& completion);
 void complete_faults(Completion& completion);
 /// checks.cpp: runs the checks that kinds define. REQUIRES: nothing was refused.
 void complete_checks(Completion& completion);
-/// booted.cpp: checks that a node's code can be executed. `reason`: the place that asks for it.
+/// booted.cpp: checks that the node can execute code. `reason` has notes that say why it must.
 void check_executes(Completion& completion, const Node& node, const std::vector<SecondPlace>& reason);
 /// images.cpp: marks the nodes with processes that are code, and checks them. Called by complete_booted().
 void mark_code_nodes(Completion& completion);
-/// images.cpp: returns the nodes through which channels between processes that are code may lead: they execute code,
-/// and no other processes.
+/// images.cpp: returns the nodes that may pass on channels between processes that are code. These nodes execute code,
+/// and have no other processes.
 std::vector<bool> nodes_for_code(const Completion& completion);
-/// images.cpp: marks the nodes through which such channels lead, which then execute code that passes messages on.
+/// images.cpp: marks the nodes that pass on channels between processes that are code. These nodes then execute code for
+/// this purpose.
 void complete_relays(Completion& completion);
-/// images.cpp: makes the images of these nodes. REQUIRES: nothing was refused.
+/// images.cpp: makes the images of the nodes that execute code. REQUIRES: nothing was refused.
 void complete_images(Completion& completion);
 
 } // namespace placedpar

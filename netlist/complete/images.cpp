@@ -46,7 +46,7 @@ std::size_t add_node(Completion& c, const std::string& type, std::string name, c
     return c.network.nodes.size() - 1;
 }
 
-/// Adds the transputer that processes share if none of them is placed.
+/// Adds the transputer that all processes share if none of them is placed.
 std::size_t add_shared_transputer(Completion& c, const Location& at) {
     const std::size_t root = add_node(c, "T800", "root", at);
     c.network.nodes[root].attributes.insert_or_assign("memory", std::int64_t{2} << 20);
@@ -76,14 +76,14 @@ namespace {
 
 void check_code_type(Completion& c, const DraftProcess& process, const Node& node) {
     const std::vector<SecondPlace> reason{
-        {fmt::format("\"{}\", whose code is in a file, is placed here", process.name), process.placed}};
+        {fmt::format("\"{}\", a process in occam, is placed here", process.name), process.placed}};
     check_executes(c, node, reason);
 }
 
 } // namespace
 
 void mark_code_nodes(Completion& c) {
-    std::map<std::size_t, const DraftProcess*> code; // the first process that is code, by node
+    std::map<std::size_t, const DraftProcess*> code; // key: node; the first process on it that is code
     for (std::size_t i = 0; i < c.draft.processes.size(); ++i)
         if (const DraftProcess& process = c.draft.processes[i];
             c.kinds[i] && c.kinds[i]->is_code && process.node != nowhere)
@@ -93,10 +93,10 @@ void mark_code_nodes(Completion& c) {
         if (const DraftProcess& process = c.draft.processes[i]; !c.kinds[i] || !c.kinds[i]->is_code)
             if (const auto found = code.find(process.node); found != code.end() && refused.insert(process.node).second)
                 c.reporter.error(process.placed,
-                                 fmt::format("\"{}\" executes the code of \"{}\", so \"{}\", whose kind is not code, "
-                                             "cannot be placed on it",
+                                 fmt::format("\"{}\" executes the occam process \"{}\", so \"{}\", which is not in "
+                                             "occam, cannot be placed on it",
                                              c.network.nodes[process.node].name, found->second->name, process.name),
-                                 "place one of them on another processor",
+                                 "place one of the processes on another processor",
                                  {{fmt::format("\"{}\" is placed here", found->second->name), found->second->placed}});
     for (const auto& [node, process] : code) {
         check_code_type(c, *process, c.network.nodes[node]);
@@ -125,15 +125,16 @@ std::vector<std::size_t> nodes_between(const Network& network, const NetworkChan
     return nodes;
 }
 
-/// Refuses a channel of other processes that leads through a node with code that passes messages on.
+/// Refuses a channel that leads through a node with code that passes messages on, but is not between processes that are
+/// code.
 void refuse_beside_relay(Completion& c, const NetworkChannel& channel, const NetworkChannel& relayed,
                          std::size_t node) {
     c.reporter.error(channel.connected,
-                     fmt::format("the channels \"{}\" and \"{}\" lead through \"{}\": it executes code that passes "
-                                 "messages on only between processes that are code",
+                     fmt::format("the channels \"{}\" and \"{}\" lead through \"{}\", but it passes on only messages "
+                                 "between processes in occam",
                                  channel.name, relayed.name, c.network.nodes[node].name),
-                     "place one of them on other wires: place p.out on a.link[1];",
-                     {{"the channel between processes that are code is connected here", relayed.connected}});
+                     "place one of the channels on other wires: place p.out on a.link[1];",
+                     {{"the channel between processes in occam is connected here", relayed.connected}});
 }
 
 } // namespace
@@ -191,18 +192,18 @@ private:
         if (channel.from.at_edge() || channel.to.at_edge())
             return c_.reporter.error(
                 channel.connected,
-                fmt::format("the channel \"{}\" leads from code to an edge without a process", channel.name),
-                leads_to_host(channel) ? "leave it out: a channel to the host needs no connection"
-                                       : "connect the channel with one of a process");
+                fmt::format("the channel \"{}\" joins a process in occam and an edge without a process", channel.name),
+                leads_to_host(channel) ? "leave the connection out: a channel to the host needs none"
+                                       : "connect the channel with a channel of a process");
         const auto is_wire = [&](const RouteHop& hop) {
             return !n_.connections[hop.connection].over_bus && !n_.connections[hop.connection].at_run_time;
         };
         if (const auto other = std::ranges::find_if_not(route, is_wire); other != route.end())
-            c_.reporter.error(channel.connected,
-                              fmt::format("the channel \"{}\" of code must lead over a wire, not over {}", channel.name,
-                                          n_.connections[other->connection].over_bus
-                                              ? "a bus"
-                                              : "a switch that is set during the run"));
+            c_.reporter.error(
+                channel.connected,
+                fmt::format("the channel \"{}\" of a process in occam must lead over a wire, not over {}", channel.name,
+                            n_.connections[other->connection].over_bus ? "a bus"
+                                                                       : "a switch that is set during the run"));
         else if (is_between_code(n_, channel))
             return;
         else if (route.size() > 1)
@@ -225,9 +226,9 @@ private:
         const std::string from = n_.nodes[channel.from.node].name, to = n_.nodes[channel.to.node].name;
         c_.reporter.error(channel.connected,
                           fmt::format("the channel \"{}\" leads from \"{}\" to \"{}\" through {}, but a channel "
-                                      "between code and a process that is not code needs a wire of its own",
+                                      "between a process in occam and a process in C++ needs a wire of its own",
                                       channel.name, from, to, fmt::join(between, ", ")),
-                          "connect the two processors, or let a process that is code pass the messages on");
+                          "connect the two processors, or let a process in occam pass the messages on");
     }
 
     /// Refuses channels from a node to another that share a direction of a wire. Reports each pair of nodes once.
@@ -246,10 +247,10 @@ private:
         c_.reporter.error(
             channel.connected,
             fmt::format("{} lead from \"{}\" to \"{}\", but only {} does; a direction of a wire carries one channel "
-                        "between code and a process that is not code",
+                        "between a process in occam and a process in C++",
                         counted(channels.size(), "channel"), n_.nodes[nodes.first].name, n_.nodes[nodes.second].name,
                         counted(wires.size(), "wire")),
-            fmt::format("the channels: {}; the wires: {}; channels between processes that are code can share wires",
+            fmt::format("the channels: {}; the wires: {}; channels between processes in occam can share wires",
                         fmt::join(channels, ", "), fmt::join(wires, ", ")));
     }
 
@@ -304,7 +305,7 @@ private:
     Completion& c_;
     Network& n_;
     std::vector<bool> has_code_;                            ///< for each node: whether it has an image
-    std::set<std::pair<std::size_t, std::size_t>> refused_; ///< nodes
+    std::set<std::pair<std::size_t, std::size_t>> refused_; ///< pairs of nodes that were reported
 };
 
 } // namespace

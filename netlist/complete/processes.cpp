@@ -36,10 +36,11 @@ const ProcessKind* find_kind(Completion& c, std::size_t index) {
     if (is_program_file(process.kind) && (guess.empty() || process.kind.find('.') != std::string::npos))
         return nullptr;
     c.kind_refused[index] = true;
-    c.reporter.error(used, fmt::format("unknown process kind \"{}\"", process.kind),
-                     guess.empty() ? "the command kinds lists all kinds; a program file ends in .lku, .c8h or "
-                                     "the like"
-                                   : guess);
+    c.reporter.error(
+        used, fmt::format("unknown process kind \"{}\"", process.kind),
+        guess.empty()
+            ? "the command \"kinds\" lists all kinds; the name of a program file ends in .lku, .c8h or the like"
+            : guess);
     return nullptr;
 }
 
@@ -130,7 +131,7 @@ void complete_process(Completion& c, std::size_t index) {
     const auto* kind = c.kinds[index] = find_kind(c, index);
     const auto& draft = c.draft.processes[index];
     if (draft.node == nowhere)
-        c.reporter.error(draft.declared, fmt::format("the process \"{}\" is placed on no processor", draft.name),
+        c.reporter.error(draft.declared, fmt::format("the process \"{}\" is not placed on a processor", draft.name),
                          fmt::format("place {} on ...;", draft.name));
     else
         check_logic(c, draft);

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// The cost of a route. Comparison is by the members in their order: first the sum of the attribute `routecost` of the
+/// Holds the cost of a route. Costs are compared member by member: first the sum of the attribute `routecost` of the
 /// processors passed through, then the number of wires, then the number of channels that these wires already carry in
 /// the same direction. If costs are equal, the links by which the routes leave their processors decide: at the first
 /// difference, the lower link wins.
@@ -28,9 +28,9 @@ struct RouteCost {
 
 /// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
 /// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are left out: a processor
-/// on the route could not know when they are connected. `may_pass` has the nodes through which routes may lead if their
-/// kind and `linkquota` allow it. `load` counts the channels on each connection i: load[2 i] from
-/// b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
+/// on the route could not know when they are connected. `may_pass` says for each node whether routes may lead through
+/// it, if the node's kind and `linkquota` also allow this. `load` counts the channels on each connection i: load[2 i]
+/// from b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
@@ -45,14 +45,14 @@ public:
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// The least cost of a route between each node and one fixed node, without loads. The cost is equal in both
-    /// directions. A node without a route has no cost.
+    /// Holds for each node the least cost of a route between this node and one fixed node. Loads are not counted, so
+    /// the cost is equal in both directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
     struct Ends {
         std::size_t from, to; ///< nodes; must differ
     };
-    /// A hop over a wire, and the node at which the hop ends.
+    /// Describes a hop over a wire, and the node at which the hop ends.
     struct Step {
         RouteHop hop;
         std::size_t node;
@@ -71,15 +71,15 @@ private:
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
-    /// Counts the nodes that the last search visited. Makes a hub of each end whose searches have visited more nodes
-    /// than the network has: making the hub then costs no more than these searches.
+    /// Adds the number of nodes that the last search visited to spent_ of both ends. An end becomes a hub when its
+    /// searches have visited more nodes than the network has: making the hub costs no more than these searches did.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
     /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
     /// within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// These two functions return whether a route through a node may use this link of the node: the link at which the
-    /// hop begins, or ends.
+    /// A hop leaves its first node by one link, and comes in at its second node by another. These two functions return
+    /// whether a route through that node may use the link.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -91,7 +91,7 @@ private:
     std::vector<bool>
         beyond_quota_; ///< at 2 * connection + from_a_to_b: whether this hop leaves its node by a link beyond the quota
     bool has_quotas_ = false; ///< some link is beyond a quota, so the cost of a route may depend on its direction
-    std::vector<bool> leads_through_;     ///< for each node
+    std::vector<bool> leads_through_;     ///< for each node: whether routes may lead through it
     std::vector<std::int64_t> routecost_; ///< for each node that passes channels on
     std::vector<std::optional<RouteCost>>
         distances_;                    ///< for each node: least cost found from here to the end of the route

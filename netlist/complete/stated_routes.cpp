@@ -112,7 +112,7 @@ std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const
                                    name_of(place), link_of(place)));
 }
 
-/// Returns the connection that switches may make at the link and that leads to the channel's other process.
+/// Returns the connection that switches can make from the stated link to the node of the channel's other process.
 std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
     auto stated = c_.draft.placements.find({partner.process, partner.port});
@@ -133,8 +133,9 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way over a bus at a master's place. The way of an output leads to the next stated place or, from the
-/// last place, to the receiver. The way of an input comes from the sender.
+/// Returns the way over a bus for a placement at a master. If the channel's output is placed there, the way leads to
+/// the place that is stated next, or to the receiver if this place is the last. If the input is placed there, the way
+/// leads from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// A wire or a way over a bus that the netlist states for a channel, and the location of the statement.
+/// Describes a wire or a way over a bus that the netlist states for a channel, and the location of the statement.
 struct StatedRoute {
     std::size_t connection;
     std::size_t begin; ///< node where the channel enters the connection; nowhere: the channel may enter at either end

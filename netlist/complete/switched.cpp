@@ -22,12 +22,13 @@ const NetworkChannel* other_user(UsersOfLinks& users, const LinkEnd& link, bool 
 
 void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkChannel& second, const LinkEnd& link,
                     const char* what) {
-    c.reporter.error(second.connected,
-                     fmt::format("{} the link \"{}\", which a switch connects during the run: \"{}\" and \"{}\"", what,
-                                 link_name(c.network.nodes, link), first.name, second.name),
-                     "a link switched at run time has one outputting and one inputting process, with one channel each "
-                     "way for each partner",
-                     {{"the other channel is connected here", first.connected}});
+    c.reporter.error(
+        second.connected,
+        fmt::format("{} the link \"{}\", which a switch connects during the run, on the channels \"{}\" and \"{}\"",
+                    what, link_name(c.network.nodes, link), first.name, second.name),
+        "a link switched at run time has one process that outputs and one that inputs; each of the two "
+        "uses one channel for each partner",
+        {{"the other channel is connected here", first.connected}});
 }
 
 } // namespace

@@ -187,15 +187,15 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states another speed
-    /// than a preceding piece.
+    /// Adds the attributes of one piece of the wire. Returns false, after reporting, if the piece states a different
+    /// speed from a preceding piece.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {
             c_.reporter.error(connection.connected,
-                              fmt::format("the attribute \"{}\" belongs to a connection to a bus",
+                              fmt::format("the attribute \"{}\" applies only to a connection to a bus",
                                           attributes.level ? "level" : "release"),
-                              "such as connect sun.bus[0] to vme.slot[1] by ...;",
+                              "use the connection in a statement such as connect sun.bus[0] to vme.slot[1] by ...;",
                               {{"declared here", attributes.declared}});
             c_.wire_refused[connection.a.node] = c_.wire_refused[connection.b.node] = true;
             return false;

@@ -57,22 +57,24 @@ std::size_t Elaborator::device_end(const Reference& reference, const Found& foun
     auto node = element(reference, found);
     const DeviceKind& kind = *draft_.nodes[node].kind;
     if (kind.medium)
-        refuse(reference.field_at, fmt::format("a {} has slots: {}.slot[...]", draft_.nodes[node].type, reference.name),
+        refuse(reference.field_at,
+               fmt::format("a {} has only slots: write {}.slot[...]", draft_.nodes[node].type, reference.name),
                how_to_attach);
     if (kind.bus == BusRole::none)
         refuse(reference.field_at,
                fmt::format("{} cannot be connected to a bus", with_article(draft_.nodes[node].type)),
-               "a workstation, a busmaster and a link adapter (C011, C012) can be connected");
+               "only a workstation, a busmaster or a link adapter (C011, C012) can be connected to a bus");
     return node;
 }
 
 int Elaborator::bus_subscript(const Reference& reference, int least, int most) {
     auto given = subscripts(reference.field_subscripts);
-    std::string range = least == most ? fmt::format("the only one is {}.{}[{}]", reference.name, reference.field, least)
+    std::string range = least == most ? fmt::format("write {}.{}[{}]", reference.name, reference.field, least)
                                       : fmt::format("expected from {} to {}", least, most);
     if (given.size() != 1)
         refuse(reference.field_at,
-               fmt::format("wrong number of subscripts: \"{}\" has 1, but {} are given", reference.field, given.size()),
+               fmt::format("wrong number of subscripts: \"{}\" has 1, but the statement gives {}", reference.field,
+                           given.size()),
                range);
     if (given[0] < least || given[0] > most)
         refuse(reference.field_subscripts[0]->at,

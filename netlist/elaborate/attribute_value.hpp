@@ -17,7 +17,7 @@ public:
 
     /// Returns the value, converted to the type in the description. Refuses a value outside the described range.
     Value as(const AttributeDescription& attribute) const;
-    /// Returns the value of an attribute that only the INMOS tool uses. Accepts any value except an array.
+    /// Returns the value of an attribute that only icconf uses. Accepts any value except an array.
     Value any() const;
     std::string text() const;
 

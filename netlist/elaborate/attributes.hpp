@@ -19,10 +19,10 @@ SecondPlace first_given(const Location& at);
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,
                                      const std::string& whose, const Location& first);
 
-/// `scopes` knows the types that the attribute `type` may name.
+/// `scopes` must contain the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
-/// Returns whether a declaration of the node may give an attribute of this name. Returns false for `type`.
+/// Returns whether the node can have an attribute of this name. Returns false for `type`.
 bool has_node_attribute(const Node& node, const std::string& name);
 /// REQUIRES: has_node_attribute(node, setting.name).
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);

@@ -41,7 +41,7 @@ std::size_t Elaborator::connection_for(const ConnectStatement& form, const Locat
     auto found = find(*form.by);
     if (found.category != Category::connection)
         refuse(form.by->at, fmt::format("\"{}\" is not a connection", form.by->name),
-               "a connection is declared by connection name;");
+               "declare a connection: connection name;");
     auto index = element(*form.by, found);
     auto& connection = draft_.connections[index];
     if (connection.used)

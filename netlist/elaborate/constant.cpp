@@ -1,5 +1,7 @@
 #include "netlist/elaborate/constant.hpp"
 
+#include "text/counted.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -192,9 +194,9 @@ Constant apply_subscript(const Constant& array, const Constant& subscript) {
     auto size = array.text() != nullptr ? array.text()->size() : (*array.array())->size();
     auto index = subscript.integer()->value;
     if (index < 0 || static_cast<std::uint64_t>(index) >= size)
-        throw NoResult{
-            fmt::format("the subscript {} is outside of the array", index),
-            fmt::format("the array has {} elements, [0] to [{}]", size, static_cast<std::int64_t>(size) - 1)};
+        throw NoResult{fmt::format("the subscript {} is outside of the array", index),
+                       fmt::format("the array has {}, [0] to [{}]", counted(size, "element"),
+                                   static_cast<std::int64_t>(size) - 1)};
     auto place = static_cast<std::size_t>(index);
     if (array.text() != nullptr)
         return integer_constant(static_cast<unsigned char>((*array.text())[place]));

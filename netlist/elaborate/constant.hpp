@@ -32,7 +32,7 @@ double as_real(const Constant& constant);
 
 /// Returns "an integer", "a real number", "a string" or "an array".
 std::string type_name(const Constant& constant);
-/// Returns the constant as a netlist would write it, shortened if it is long.
+/// Returns the constant in the syntax of a netlist. A long text is shortened.
 std::string shown(const Constant& constant);
 
 /// The operations below throw a NoResult if the language defines no result for the operands. The evaluator reports it

@@ -93,7 +93,8 @@ Type Elaborator::base_type(const std::string& name, const Location& at, std::vec
 Type Elaborator::type_of_element(const Location& at, std::vector<Setting>& settings) {
     auto found = std::ranges::find(settings, "element", &Setting::name);
     if (found == settings.end())
-        refuse(at, "the element of the node is missing", "node (element = \"processor\") or \"process\"");
+        refuse(at, "the element of the node is missing",
+               "write node (element = \"processor\") or node (element = \"process\")");
     AttributeValue value(*found, reporter_);
     auto element = value.text();
     if (element != "processor" && element != "process")
@@ -140,7 +141,7 @@ void Elaborator::perform(const Declaration& form, const Location&) {
 
 void Elaborator::declare_nodes(const NodeType& type, const Declaration& form) {
     if (type.needs_type)
-        refuse(form.type_at, "the type of the processor is missing", "processor (type = \"T800\") name;");
+        refuse(form.type_at, "the type of the processor is missing", "write processor (type = \"T800\") name;");
     for (const auto& name : form.names)
         declare(
             name, Category::node, draft_.nodes.size(),

@@ -46,7 +46,7 @@ std::optional<Misfit> real_misfit(const ParameterDeclaration& parameter, double 
     if (parameter.type != "float" || std::abs(number) <= largest_float)
         return std::nullopt;
     return Misfit{out_of_range(parameter, fmt::format("{}", number)),
-                  "a float has at most 3.4e38; declare a double for greater values"};
+                  "a float is at most 3.4e38; declare a double for greater values"};
 }
 
 std::optional<Misfit> text_misfit(const ParameterDeclaration& parameter, const std::string& text) {

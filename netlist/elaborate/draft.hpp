@@ -13,7 +13,8 @@
 namespace placedpar {
 
 /// Limits the size of a netlist: the total number of nodes, connections, wires, edge channels, processes, their channel
-/// ends and parameters, values given to parameters, and attributes of the INMOS tool. Each element of an array counts.
+/// ends and parameters, values given to parameters, and attributes that only icconf uses. Each element of an array
+/// counts.
 inline constexpr std::size_t most_things = 250'000;
 
 /// The structures below describe a netlist whose statements have been executed, but which has not been checked as a
@@ -24,7 +25,7 @@ struct DraftConnection {
     Location declared;
     std::optional<std::int64_t> bits_per_second;
     std::optional<double> metres;
-    std::optional<Location> used;             ///< place of the `connect` that uses it
+    std::optional<Location> used;             ///< place of the `connect` that uses the connection
     std::map<std::string, Location> settings; ///< attributes set by statements such as `c (length = 0.3);`
     std::optional<int> level = {};            ///< request level of a master on a bus
     std::optional<std::string> release = {};  ///< "RWD", "ROR"
@@ -61,13 +62,13 @@ struct Interface {
     std::vector<DeclaredEntry> entries; ///< channels and parameters, in the order of the declaration
 };
 
-/// One setting in a statement such as `name (n = 4);`.
+/// Holds one setting in a statement such as `name (n = 4);`.
 struct Setting {
     std::string name;
     Constant value;
     Location at;
 };
-/// The settings of one statement; all array elements that the statement names share them.
+/// Holds the settings of one statement. All array elements that the statement names share one object.
 using SharedSettings = std::shared_ptr<const std::vector<Setting>>;
 
 struct DraftProcess {
@@ -79,19 +80,19 @@ struct DraftProcess {
     std::vector<SharedSettings> settings;       ///< one entry for each statement
     std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's settings
     std::string kind;
-    std::optional<Location> used; ///< place of the `use` that names its program
+    std::optional<Location> used; ///< place of the `use` that names the process's program
     std::size_t node = nowhere;
     Location placed;
 };
 
-/// A piece of wire, or a crosspoint. Both ends of a crosspoint are at the same switch.
+/// Describes a piece of wire, or a crosspoint. Both ends of a crosspoint are at the same switch.
 struct DraftWire {
     LinkEnd a, b;
     std::size_t connection = nowhere;
     Location at;
 };
 
-/// `connect sun.bus[0] to vme.slot[1];`
+/// Holds a statement such as `connect sun.bus[0] to vme.slot[1];`.
 struct DraftAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
@@ -112,21 +113,22 @@ struct DraftChannel {
     Location at;
 };
 
-/// The statement `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`, `where.node`
-/// is the bus, and `where.link` is `bus_port`.
+/// Holds a statement such as `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`,
+/// `where.node` is the bus, and `where.link` is `bus_port`.
 struct DraftPlacement {
     LinkEnd where;
     Location at;
 };
 
-/// A fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() sets the wire.
+/// Describes a fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() sets the
+/// wire.
 struct DraftFault {
     Fault fault;
     std::size_t connection = nowhere; ///< index in Draft::connections
     Location at;                      ///< place of the failing thing in the statement
 };
 
-/// `place c1 on c2;`
+/// Holds the statement `place c1 on c2;`.
 struct DraftConnectionPlacement {
     std::size_t wire = nowhere; ///< index of `c2`, the connection of a wire
     Location at;
@@ -135,7 +137,8 @@ struct DraftConnectionPlacement {
 struct Draft {
     std::vector<Node> nodes;
     std::vector<int> links; ///< number of links of each node
-    /// Places of attributes that follow a declaration, such as `t[1] (rank = 0);`, by node and name.
+    /// Holds the places of attributes that follow a declaration, such as `t[1] (rank = 0);`. The key is the node and
+    /// the attribute's name.
     std::map<std::pair<std::size_t, std::string>, Location> node_settings;
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
@@ -148,7 +151,7 @@ struct Draft {
     std::map<std::size_t, DraftConnectionPlacement>
         connection_placements; ///< key: index of `c1`, the channel's connection
     std::vector<DraftFault> faults;
-    std::string default_kind; ///< `use ... for process;`
+    std::string default_kind; ///< kind that `use ... for process;` names
     Location default_used;
     std::size_t things = 0;
     std::vector<SetByOption> set;

@@ -28,20 +28,20 @@ public:
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Declares a val of a configuration in another language, which the names of the netlist may hide. Returns its
-    /// value, which an option may set.
+    /// Declares a val of a configuration in another language. A name in the netlist may hide the val. Returns the value
+    /// of the val: the value that an option sets, or `original`.
     Value choose_val(const std::string& name, const Value& original, const Location& at);
     /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
-    /// Reads the programs that are files of a language (FileKinds). The names of these programs become those by which
-    /// the catalogue knows the kinds.
+    /// Reads the programs that are source files (FileKinds), and replaces their names by the names of their kinds in
+    /// the catalogue.
     void read_files(const std::vector<std::filesystem::path>& folders);
     const Draft& draft() const { return draft_; }
     Draft take();
 
 private:
     using Category = DeclaredThings::Category;
-    /// Consecutive elements of one array in the draft.
+    /// Describes consecutive elements of one array in the draft.
     struct Elements {
         std::size_t first = 0, count = 0;
     };
@@ -180,7 +180,7 @@ private:
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::set<std::tuple<std::size_t, int, int>>
         crosspoints_; ///< node of the switch and its two links, the lower link first
-    /// An error to report later: a link has a second crosspoint.
+    /// Describes an error that is reported later: a link has a second crosspoint.
     struct CrosspointAgain {
         LinkEnd end;
         Location at, first;
@@ -197,7 +197,7 @@ private:
     // the names of vals in blocks.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
-    std::size_t host_ = nowhere; ///< the predefined edge, if the netlist has used it so far
+    std::size_t host_ = nowhere; ///< node of the predefined edge; nowhere until the netlist uses this edge
 };
 
 } // namespace placedpar

@@ -13,7 +13,7 @@ namespace {
 
 void report_undeclared(Reporter& reporter, const std::string& name, const Location& at, const Location& declared) {
     auto where = declared.file == at.file ? fmt::format("line {}", declared.line) : declared.text();
-    reporter.error(at, fmt::format("the name \"{}\" is undefined here: it is declared later, {}", name, where), "",
+    reporter.error(at, fmt::format("the name \"{}\" is undefined here: it is declared later, at {}", name, where), "",
                    {{"declared here", declared}});
 }
 

@@ -27,8 +27,8 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     return nullptr;
 }
 
-/// Returns the type with the attributes that were given before the type was known; the given attributes replace those
-/// of the type.
+/// Returns the type with the attributes that were given before the type was known. These attributes replace the
+/// attributes of the type.
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
     for (const auto& name : untyped.given)
         type.preset.attributes[name] = untyped.attributes.at(name);

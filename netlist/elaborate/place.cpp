@@ -63,7 +63,7 @@ LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& fo
     const DeviceKind& kind = *draft_.nodes[found.first].kind;
     if (kind.medium && !kind.medium->broadcasts)
         refuse(where.at,
-               fmt::format("\"{}\" is {}, on which a channel cannot be placed as a whole", where.name, kind.noun),
+               fmt::format("\"{}\" is {}: a channel cannot be placed on the whole device", where.name, kind.noun),
                fmt::format("place {}.{} on the bus end of the sender's device, such as sun.bus[0]", form.what.name,
                            form.what.field));
     if (kind.medium && !where.field.empty())

@@ -126,7 +126,7 @@ void Elaborator::refuse_after_declaration(const Setting& setting, const Node& no
                                   : fmt::format("{} kinds {} lists its attributes", program_name(), node.type));
 }
 
-/// Attributes may follow a declaration, because they may differ among the elements of an array.
+/// Sets attributes of nodes that are already declared, so that the elements of an array can have different attributes.
 void Elaborator::set_nodes(const Elements& range, const std::vector<Setting>& settings) {
     for (std::size_t i = range.first; i < range.first + range.count; ++i)
         for (const Setting& setting : settings) {
@@ -178,7 +178,7 @@ void Elaborator::use_for_all(const std::string& program, const Location& at) {
     draft_.default_used = at;
 }
 
-/// Names the bootable file of a node. Its path is relative to the folder of the netlist.
+/// Sets the bootable file of a node. The path of the file is relative to the folder of the netlist.
 void Elaborator::boot(const Reference& reference, const Found& found, const std::string& file, const Location& at) {
     Node& node = draft_.nodes[element(reference, found)];
     if (!node.boot_file.empty())

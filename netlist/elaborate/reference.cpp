@@ -16,7 +16,7 @@ namespace {
 std::string channels_of(const DraftProcess& process) {
     constexpr std::size_t most = 5;
     if (!process.interface || process.interface->ports.empty())
-        return process.name + ".channel";
+        return "write " + process.name + ".channel";
     auto names = names_in(process.interface->ports);
     auto more = names.size() > most ? ", ..." : "";
     names.resize(std::min(names.size(), most));
@@ -64,8 +64,8 @@ Elaborator::Elements Elaborator::elements(const Reference& reference, const Foun
     auto given = subscripts(reference.subscripts);
     if (given.size() > sizes.size())
         refuse(reference.subscripts[sizes.size()]->at,
-               fmt::format("wrong number of subscripts: \"{}\" has {}, but {} are given", reference.name, sizes.size(),
-                           given.size()));
+               fmt::format("wrong number of subscripts: \"{}\" has {}, but the statement gives {}", reference.name,
+                           sizes.size(), given.size()));
     Elements range{found.first, element_count(sizes)};
     for (std::size_t i = 0; i < given.size(); ++i) {
         if (given[i] < 0 || given[i] >= sizes[i])
@@ -82,9 +82,10 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     auto range = elements(reference, found);
     if (reference.subscripts.size() < found.dimensions.size())
         refuse(reference.at,
-               fmt::format("\"{}\" is not completely subscripted: it has {}, but {} are given", reference.name,
-                           counted(found.dimensions.size(), "subscript"), reference.subscripts.size()),
-               fmt::format("such as {}", element_name(reference.name, element_subscripts(0, found.dimensions))));
+               fmt::format("\"{}\" is not completely subscripted: it has {}, but the statement gives {}",
+                           reference.name, counted(found.dimensions.size(), "subscript"), reference.subscripts.size()),
+               fmt::format("write all subscripts, such as {}",
+                           element_name(reference.name, element_subscripts(0, found.dimensions))));
     return range.first;
 }
 
@@ -106,7 +107,7 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
                fmt::format("connect to one of its slots: connect sun.bus[0] to {}.slot[1];", node.name));
     if (reference.field.empty())
         refuse(reference.at, fmt::format("a link of \"{}\" is missing", node.name),
-               fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
+               fmt::format("write {}.link[...], with a number from 0 to {}", node.name, links - 1));
     if (reference.field == "config" && node.kind->is_set_by_link()) {
         if (!reference.field_subscripts.empty())
             refuse(reference.field_subscripts[0]->at, fmt::format("\"{}.config\" has no subscripts", node.name));
@@ -118,8 +119,8 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
     auto given = subscripts(reference.field_subscripts);
     if (given.size() != 1)
         refuse(reference.field_at,
-               fmt::format("wrong number of subscripts: \"link\" has 1, but {} are given", given.size()),
-               fmt::format("{}.link[...], from 0 to {}", node.name, links - 1));
+               fmt::format("wrong number of subscripts: \"link\" has 1, but the statement gives {}", given.size()),
+               fmt::format("write {}.link[...], with a number from 0 to {}", node.name, links - 1));
     if (given[0] < 0 || given[0] >= links)
         refuse(reference.field_subscripts[0]->at, fmt::format("\"{}\" has no link {}", node.name, given[0]),
                fmt::format("a {} has the links 0 to {}", node.type, links - 1));
@@ -160,7 +161,7 @@ void Elaborator::check_subscripts(const PortDeclaration& port, const Reference& 
                                   const std::vector<std::int64_t>& given) {
     if (given.size() != port.dimensions.size())
         refuse(reference.field_at,
-               fmt::format("{}: \"{}\" has {}, but {} are given",
+               fmt::format("{}: \"{}\" has {}, but the statement gives {}",
                            given.size() < port.dimensions.size() ? "the channel is not completely subscripted"
                                                                  : "wrong number of subscripts",
                            port.name, port.dimensions.size(), given.size()),

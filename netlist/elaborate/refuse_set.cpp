@@ -54,9 +54,9 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     const Settable* found = find_named(all, other);
     if (found == nullptr || !found->has(member))
         return "";
-    auto which = process != nullptr ? fmt::format("the node that \"{}\" is placed on", element.name)
+    auto which = process != nullptr ? fmt::format("the node of \"{}\"", element.name)
                                     : fmt::format("the connection of \"{}\" to its bus", element.name);
-    return fmt::format("{} has: --set {}.{}=...", which, other, member);
+    return fmt::format("{} has this attribute: --set {}.{}=...", which, other, member);
 }
 
 /// Refuses an option whose name has no dot and is neither a val nor an attribute or parameter.

@@ -24,7 +24,7 @@ struct DeclaredThings {
     std::vector<std::int64_t> dimensions; ///< empty: a single thing
 };
 
-/// A type with which processes can be declared: `process`, or a type that a `define` made.
+/// Describes a type with which processes can be declared: `process`, or a type that a `define` made.
 struct ProcessType {
     std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier setting
     std::shared_ptr<const Interface> interface; ///< null if the type has no interface
@@ -32,10 +32,11 @@ struct ProcessType {
 
 using Type = std::variant<NodeType, ProcessType>;
 
-/// The type `node`: its attribute `element` says whether it declares processors or processes.
+/// Stands for the type `node`. The attribute `element` says whether a declaration with this type declares processors or
+/// processes.
 struct AnyElement {};
 
-/// The meaning of a name.
+/// Holds the meaning of a name.
 struct Symbol {
     std::variant<Constant, NodeType, ProcessType, AnyElement, DeclaredThings> meaning;
     Location declared; ///< empty if the name is predefined
@@ -47,7 +48,7 @@ std::string describe(const Symbol& symbol);
 /// it again. Predefined names belong to a block around the netlist, so they may be declared again.
 class Scopes {
 public:
-    /// The catalogue's node types are predefined.
+    /// Declares the predefined names, including the catalogue's node types.
     explicit Scopes(const Catalogue& catalogue);
 
     void open() {

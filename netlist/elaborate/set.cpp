@@ -20,7 +20,7 @@ bool is_character(const Constant& constant) {
     return code != nullptr && code->value > ' ' && code->value <= '~';
 }
 
-/// Returns what a user who typed several values wants: "" if the text does not list values.
+/// Returns a hint that names the command for trying several values, if the text lists several; otherwise "".
 std::string hint_at_sweep(const SetStatement& set) {
     const bool lists = set.typed.find(',') != std::string::npos || set.typed.find("..") != std::string::npos;
     return !lists || set.typed.find('(') != std::string::npos

@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// An attribute or a parameter that an option can set.
+/// Describes an attribute or a parameter that an option can set.
 struct SettableMember {
     std::string name;
     const ParameterDescription* description = nullptr; ///< null if only an interface declares the parameter
@@ -24,7 +24,7 @@ struct SettableMember {
     std::string what_it_takes() const;
 };
 
-/// A node, a connection or a process whose attributes and parameters an option can set.
+/// Describes a node, a connection or a process whose attributes and parameters an option can set.
 struct Settable {
     std::string name;
     std::variant<Node*, DraftConnection*, DraftProcess*> thing;
@@ -33,9 +33,9 @@ struct Settable {
 
     const char* noun() const;
     const char* noun_of_member() const;
-    /// Returns the member of that name; null if there is none, or if only the INMOS tool uses the member.
+    /// Returns the member of that name; null if there is none, or if only icconf uses the member.
     const SettableMember* member(const std::string& name) const { return find_named(*members, name); }
-    /// Returns whether an option can set the member. Members that only the INMOS tool uses count, too. When an option
+    /// Returns whether an option can set the member. Members that only icconf uses count, too. When an option
     /// sets every element, a connection without a `linkspeed` is skipped: its speed follows from its ends.
     bool has(const std::string& member, bool as_every_element = false) const;
     /// REQUIRES: has(setting.name). Throws StatementRefused after reporting an error. Values of parameters are checked

@@ -24,10 +24,12 @@ void BootHost::serve() {
             return;
         answer(request);
     }
+    if (state_ == iserver::ServerState::waits_for_input && !abandoned_)
+        wait_for_link(Activity::inputting); // for ever, since the request gets no reply
 }
 
-/// Answers a request. The reply to the last one is sent, too, but the host does not wait until the program has taken
-/// it: many never do.
+/// Answers a request. The host also replies to the last request, but does not wait until the program has taken this
+/// reply, since many programs never take it.
 void BootHost::answer(iserver::ByteView request) {
     ++requests_;
     if (request_time_ > Time{0})
@@ -54,7 +56,7 @@ void BootHost::send(std::span<const std::uint8_t> bytes) {
     wait_for_link(Activity::outputting);
 }
 
-/// Returns the next request; an empty one after a packet that cannot be read.
+/// Returns the next request; an empty request after a packet that cannot be read.
 iserver::ByteView BootHost::receive() {
     iserver::ByteView request;
     while (request.empty() && reader_.wanted() > 0 && !abandoned_) {

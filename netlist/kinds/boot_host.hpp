@@ -15,28 +15,28 @@
 
 namespace placedpar {
 
-/// Answers a request at a simulated time: iserver::Server::answer.
+/// Answers a request that is made at a simulated time, as iserver::Server::answer does.
 using Answering = std::function<iserver::Answer(iserver::ByteView request, std::chrono::microseconds since_start)>;
 
-/// The host at the link of an emulated transputer. It sends a bootable file down the link, then serves the program's
-/// requests until the program exits.
+/// Acts as the host at the link of an emulated transputer: sends a bootable file down the link, then serves the
+/// program's requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `file`: empty if the program is there when the run begins. `request_time`: how long the host works on a request.
-    /// REQUIRES: request_time >= 0.
+    /// `file`: empty if the transputer already has its program when the run begins. `request_time`: how long the host
+    /// works on a request. REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
-    /// Boots and serves; the body of the host's process. Returns when the program has exited, when no input is left for
-    /// it, or when it sends a packet that cannot be read.
+    /// Boots and serves; the body of the host's process. Returns when the program has exited, or when it sends a packet
+    /// that cannot be read. Waits for ever when the program asks for input and none is left.
     void serve();
 
     /// Ends serve(): a transputer has stopped.
     void abandon();
 
-    /// The results of serve().
+    /// The functions below return results of serve().
     iserver::ServerState state() const { return state_; }
     std::int32_t exit_status() const { return exit_status_; }
-    /// Says why a packet could not be read; "" if all could.
+    /// Returns why a packet could not be read; "" if all packets could be read.
     const std::string& refusal() const { return reader_.refusal(); }
     std::uint64_t requests() const { return requests_; }
     /// Returns how many bytes of the file the transputer has not taken.

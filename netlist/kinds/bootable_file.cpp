@@ -27,8 +27,8 @@ bool is_control(char32_t code) {
            (code < ' ' && code != '\t' && code != '\n' && code != '\r' && code != 26); // 26 ends DOS files
 }
 
-/// Returns whether the first bytes are text: no control characters, and hardly a byte that is not UTF-8, as in old
-/// files.
+/// Returns whether the first bytes are text. Text has no control characters. At most one byte in 8 may be outside
+/// UTF-8, since old files use other encodings.
 bool is_text(std::span<const std::uint8_t> bytes) {
     const auto begin = bytes.first(std::min<std::size_t>(bytes.size(), 512));
     std::string_view rest(reinterpret_cast<const char*>(begin.data()), begin.size());
@@ -44,7 +44,8 @@ bool is_text(std::span<const std::uint8_t> bytes) {
     return 8 * strange <= begin.size();
 }
 
-/// Returns whether the file is in INMOS's format for objects. Its first record says which file it is.
+/// Returns whether the file is in INMOS's format for object files, and begins with a record of this tag. The tag tells
+/// an object file, a linked unit and a library apart.
 bool is_object(std::span<const std::uint8_t> bytes, std::uint8_t tag) {
     return bytes.size() > 8 && bytes[0] == tag && bytes[1] == 0 && bytes[2] == 2 && bytes[4] == 0xfd;
 }

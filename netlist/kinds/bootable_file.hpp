@@ -8,11 +8,11 @@
 
 namespace placedpar {
 
-/// The largest bootable file that is read.
+/// Limits the size of a bootable file.
 inline constexpr std::size_t largest_bootable_bytes = 64 * 1024 * 1024;
 
-/// Returns why bytes cannot be sent to a transputer to boot it, with a hint about what makes such a file; "" if they
-/// can. Bootable files are told from others by their contents, since their names differ: .btl, .b4h, .b8h, .bxx.
+/// Returns why these bytes cannot boot a transputer, and which tools make bootable files; "" if the bytes can. Only the
+/// contents of a file decide, since the names of bootable files vary: .btl, .b4h, .b8h, .bxx.
 std::string why_not_bootable(std::span<const std::uint8_t> bytes);
 
 /// Returns whether a file's contents are probably code for a transputer, and not a netlist or another text.

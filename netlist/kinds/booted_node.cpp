@@ -58,7 +58,8 @@ iserver::ServerOptions server_options(const HostServices& host, const std::strin
 
 namespace {
 
-/// Returns the options of the node's host. Programs of INMOS's tools ask for the size of their memory by IBOARDSIZE.
+/// Returns the options of the node's host. Programs made by INMOS's tools read the size of their memory from the
+/// environment variable IBOARDSIZE.
 iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
     iserver::ServerOptions options = server_options(host, node.boot_file);
     options.environment.emplace("IBOARDSIZE", fmt::format("#{:X}", node.integer("memory")));
@@ -67,7 +68,7 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 
 } // namespace
 
-/// The host that boots the node: its terminal, its server, and its end of the link.
+/// Holds the parts of the host that boots the node: the terminal, the server, and the host's end of the link.
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
@@ -115,8 +116,8 @@ void BootedNode::watch_code() {
 
 BootedNode::~BootedNode() = default;
 
-/// Lets a process wait until the image has ended. Otherwise the run would end at once, since the work of a run is that
-/// of its processes.
+/// Makes a process that waits until the image has ended. Without it the run would end at once: a run ends when its
+/// processes have ended.
 void BootedNode::await_end() {
     device_.when_idle([this] { notice_end(); });
     simulation().process("the code of " + node().name, [this] {
@@ -222,14 +223,14 @@ FaultEffects BootedNode::suffer(const Fault& halts) {
 
 namespace {
 
-/// Says where in the source, if that is known, and why a core has stopped.
+/// Says why a core has stopped, and at which place in the source, if the place is known.
 std::string stop_of(const transputer::Core& core, const transputer::CodeLines& lines) {
     const bool is_behind = core.stopped() == transputer::Stopped::by_break;
     const std::string place = lines.file_place(core.registers().instruction - (is_behind ? 1 : 0));
     return (place.empty() ? "stopped: " : fmt::format("stopped at {}: ", place)) + core.why_stopped();
 }
 
-/// Says where, why, in which process and when an error has halted a core.
+/// Describes the error that has halted a core: its place, cause, process and time.
 std::string halt_of(const transputer::Core& core, const transputer::CodeLines& lines) {
     const transputer::ErrorNote error = error_to_name(core, core.error(), lines);
     const std::string place = lines.file_place(error.after - 1), process = lines.process(error.workspace),
@@ -291,7 +292,7 @@ bool never_goes_on(const transputer::WaitingProcess& process) {
 
 } // namespace
 
-/// Returns the waiting processes, except processes that only carry messages of others.
+/// Returns the waiting processes, except processes that only carry messages of other processes.
 std::vector<transputer::WaitingProcess> BootedNode::waiting_processes() const {
     std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
     std::erase_if(waiting, [&](const auto& each) { return lines().is_carrier(each.workspace); });
@@ -355,7 +356,7 @@ std::vector<ProgramUse::Stop> BootedNode::stops() const {
 
 void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
-        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
+        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() != 0;
     const bool stopped =
         device_.activity() == transputer::Node::Activity::stopped || device_.core().count_stopped() > 0;
     use.programs.push_back({.name = node().name,

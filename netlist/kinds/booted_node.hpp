@@ -21,8 +21,8 @@ class OutsideHost; // netlist/kinds/outside_host.hpp
 /// Returns the options of the server for a program that this file boots.
 iserver::ServerOptions server_options(const HostServices&, const std::string& file);
 
-/// A transputer in a run that executes its own code. If the netlist names a bootable file for it, a host at one of its
-/// links sends the file and serves the program.
+/// Simulates a transputer that executes its own code. If the netlist names a bootable file for the transputer, a host
+/// at one of its links sends the file and serves the program.
 class BootedNode final : public MachineNode {
 public:
     BootedNode(MachineParts&, std::size_t node);
@@ -54,13 +54,15 @@ private:
     transputer::MessageEnd& message_end(std::size_t connection);
 
     transputer::Node& device_;
-    hardware::Link* last_link_ = nullptr; ///< the last link that was told to end here
+    hardware::Link* last_link_ = nullptr; ///< the link of the last call of has_link()
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
-    std::map<std::size_t, transputer::MessageEnd> message_ends_; ///< by connection: far ends with channels of processes
+    std::map<std::size_t, transputer::MessageEnd>
+        message_ends_; ///< key: connection; the ends of wires where processes output and input
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
-    Process* awaits_end_ = nullptr;        ///< keeps the run going until the image has ended; null if others do
+    Process* awaits_end_ =
+        nullptr; ///< process that waits for the end of the image, so that the run continues; null if none waits
     std::unique_ptr<OutsideHost> outside_; ///< instead of `host_`, if another program serves the link
 };
 

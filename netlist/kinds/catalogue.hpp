@@ -36,9 +36,9 @@ public:
     /// Returns the types with which nodes can be declared, by the names of the models.
     const std::map<std::string, NodeType, std::less<>>& node_types() const { return node_types_; }
 
-    /// Lets netlists use kinds that are made of files. REQUIRES: called once.
+    /// Lets netlists use kinds that are made from source files. REQUIRES: called once.
     void make_from_files(std::shared_ptr<FileKinds> files) { files_ = std::move(files); }
-    /// Returns null if no kinds are made of files.
+    /// Returns null if no kinds are made from source files.
     FileKinds* files() const { return files_.get(); }
 
 private:

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-constexpr int most_cores = 1024; // our choice, as many as a native run has threads
+constexpr int most_cores = 1024; // our choice: the largest number of threads of a native run
 constexpr std::string_view kind_of_cores = "core";
 
 class CoreNode final : public MachineNode {
@@ -56,7 +56,7 @@ private:
     }
 };
 
-/// Accepts cores, each in a slot of its own.
+/// Accepts a core if its slot is empty. Refuses all other devices.
 bool takes_core(const Attached& attached, const BusAttachment& core) {
     const auto refuse = [&](const std::string& message, const char* hint) {
         attached.reporter.error(core.connected, message, hint);
@@ -94,7 +94,7 @@ std::vector<AttributeDescription> core_attributes() {
     std::vector<AttributeDescription> attributes{
         {.value = description::integer(
              "clock", {.unit = "Hz", .by_default = hardware::CoreCosts::usual_clock, .least = 1, .most = 1e12},
-             "clock frequency, to which the costs refer; by default a cycle is 1 ns"),
+             "clock frequency; costs are in cycles of this clock, by default 1 ns"),
          .decimal_suffixes = true,
          .json_name = "clock_hz"}};
     attributes.push_back(cost("channelcall", 0, "an input or output between processes of the core"));
@@ -129,7 +129,7 @@ DeviceKind shared_memory() {
             .models = {{.name = "shared_memory"}},
             .attributes = {{.value = description::integer(
                                 "byterate", {.unit = "bytes/s", .by_default = 1'000'000'000, .least = 1, .most = 1e15},
-                                "bytes of messages that a core takes over in a second"),
+                                "bytes of messages that a core copies in a second"),
                             .decimal_suffixes = true,
                             .json_name = "bytes_per_second"}},
             .medium = Medium{.slots = most_cores, .shares_ways = true, .takes = takes_core, .ways = ways_between_cores},

@@ -6,8 +6,8 @@ class Catalogue;
 struct ProcessKind;
 
 /// Adds the small processes of the CSP textbooks, such as csp.producer, csp.identity, csp.prefix, csp.delta and
-/// csp.consumer, and the kinds declared below. The textbook processes exchange Packets. They serve for a first netlist,
-/// for measuring a link, and for demonstrating deadlocks.
+/// csp.consumer, and the kinds declared below. The textbook processes exchange Packets. They are useful in a first
+/// netlist, to measure a link, and to demonstrate deadlocks.
 void add_csp_kinds(Catalogue&);
 
 /// csp_recovery.cpp: variants of csp.producer and csp.consumer whose time-outs let them survive a link that fails.

@@ -78,7 +78,7 @@ void consume_or_fail(ProcessEnvironment& environment) {
 std::string why_not_given_up(const Network& network, const NetworkChannel& channel) {
     const ChannelPlacement& at = channel.placement;
     if (at.in_packets)
-        return "travels in packets, which routers carry to their end";
+        return "is carried in packets, which cannot be taken back";
     if (at.broadcast_on != nowhere)
         return "is broadcast with other channels";
     bool in_memory = std::ranges::any_of(at.route, [&](const RouteHop& hop) {

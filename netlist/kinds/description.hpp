@@ -44,7 +44,7 @@ ParameterDescription text(std::string name, TextTraits traits, std::string about
 /// Returns the parameter with ParameterDescription::noun set to `noun`.
 ParameterDescription deciding(std::string noun, ParameterDescription parameter);
 
-/// Returns the C++ type whose byte form T has.
+/// Returns the C++ type that has the same bytes as T: the type that ByteForm<T> names, or T itself.
 template <class T>
 std::type_index bytes_as() {
     if constexpr (requires { typename ByteForm<T>::SameAs; })

@@ -51,7 +51,7 @@ struct AttributeDescription {
         {}; ///< returns the attribute's text in a drawing, such as "2 MB"; empty: not drawn
 };
 
-/// A kind of fault of a device or a link. A `fault` statement names the device or link, then this kind.
+/// Describes a kind of fault of a device or a link. A `fault` statement names the device or link, then this kind.
 struct FaultKind {
     std::string name;                                  ///< "halts"
     std::string about;                                 ///< one line
@@ -65,7 +65,7 @@ struct FaultKind {
     const AttributeDescription* attribute(std::string_view name) const;
 };
 
-/// A name by which nodes can be declared, and the properties of such nodes.
+/// Describes a name by which nodes can be declared, and the properties of such nodes.
 struct DeviceModel {
     std::string name;      ///< its name in a netlist, such as "B404"
     std::string type = ""; ///< type of its nodes, such as "T800" for a B404; "": `name` is the type
@@ -76,7 +76,7 @@ struct DeviceModel {
     bool needs_type = false; ///< stands for any other model of the kind, which the attribute `type` names
 };
 
-/// The parts of a network that a Medium can use while the network is checked.
+/// Holds the parts of a network that a Medium can use while the network is checked.
 struct Attached {
     const Network& network; ///< has all nodes and wires, and the attachments so far
     const std::map<std::pair<std::size_t, int>, std::size_t>& connection_at; ///< the wires by node and link
@@ -97,7 +97,7 @@ struct Medium {
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 
-/// The look of a device in the drawing of a network.
+/// Describes the look of a device in the drawing of a network.
 struct Drawing {
     enum class Shape { box, crossed_box, ellipse };
     Shape shape = Shape::box;
@@ -117,7 +117,7 @@ struct DeviceKind {
     std::string refusal = ""; ///< why the kind cannot be declared yet; "" if it can
     LinkRole links = LinkRole::ends;
     std::vector<AttributeDescription> attributes = {};
-    std::vector<std::string> kept = {};   ///< attributes of the INMOS tool: read and printed, not used by a simulation
+    std::vector<std::string> kept = {};   ///< attributes that only icconf uses: read and printed, but without effect
     Execution executes = Execution::none; ///< a node that executes processes must be connected to another node
     /// For a switch that is set during the run, the kind of the process that executes the commands from the switch's
     /// link `config`. Only one process, of this kind, can be placed on the switch.
@@ -136,7 +136,8 @@ struct DeviceKind {
     /// Makes the device in a run. If the function is empty, the device does nothing in a run.
     std::function<std::unique_ptr<MachineNode>(MachineParts&, std::size_t node)> make = {};
     Drawing drawing = {};
-    /// says that a program built on PlacedPar adds this kind: exceptions from the kind are then errors of that program
+    /// True if a program built on PlacedPar adds this kind. An exception from the kind is then an error of that
+    /// program.
     bool is_own = false;
 
     /// Returns the attribute of this name; null if there is none.
@@ -157,9 +158,9 @@ bool executes_in_time(const Network& network, std::size_t node);
 /// Returns the number of nodes that execute processes in virtual time. Workstations are not counted.
 std::size_t count_processors(const Network& network);
 
-/// A type with which nodes can be declared: a model of a kind, or a type that a `define` made.
+/// Describes a type with which nodes can be declared: a model of a kind, or a type that a `define` made.
 struct NodeType {
-    Node preset; ///< name empty
+    Node preset; ///< a node with the attributes of the type, and without a name
     int links = 0;
     bool needs_type = false; ///< see DeviceModel
 };

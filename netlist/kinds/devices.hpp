@@ -6,8 +6,8 @@ namespace placedpar {
 
 /// These functions describe the devices that every catalogue has. Each function is defined in the file of its name.
 
-/// Describes transputers by name in upper and lower case, TRAM modules by B-number, and `processor`, which needs the
-/// attribute `type`.
+/// Describes transputers, TRAM modules such as the B404, and `processor`, which needs the attribute `type`. The names
+/// of transputers may be in upper or lower case.
 DeviceKind transputers();
 /// Describes a host computer with any number of links. Processes on it take no time unless it is on a bus.
 DeviceKind workstation();

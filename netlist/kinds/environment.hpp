@@ -17,7 +17,7 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// A result of a process, reported at the end of the run.
+/// Holds a result of a process, which is reported at the end of the run.
 struct Measurement {
     std::string process;
     std::string name;
@@ -42,7 +42,7 @@ public:
     ProcessEnvironment(const Network& network, std::size_t index, std::vector<Port> ports, std::uint64_t seed,
                        std::vector<Measurement>& measurements);
 
-    /// The process's name in the netlist, such as "slave[2]".
+    /// Returns the process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
     /// These two functions return the whole network, and the process's index in Network::processes. A process can find
     /// the neighbours of its neighbours, for example. No result of a process may depend on the placement of any

@@ -36,21 +36,21 @@ AttributeDescription moment(const char* name, const char* about) {
 
 } // namespace
 
-AttributeDescription fault_begins() { return moment("from", "begin of the fault, such as 20ms"); }
-AttributeDescription fault_ends() { return moment("until", "end of the fault; 0: never"); }
+AttributeDescription fault_begins() { return moment("from", "time at which the fault begins, such as 20ms"); }
+AttributeDescription fault_ends() { return moment("until", "time at which the fault ends; 0: it never ends"); }
 
 AttributeDescription fault_must_end() {
-    return {.value = integer("until", {.unit = "ns", .least = 1, .most = longest}, "end of the fault"),
+    return {.value = integer("until", {.unit = "ns", .least = 1, .most = longest}, "time at which the fault ends"),
             .decimal_suffixes = true};
 }
 
 const std::vector<FaultKind>& link_faults() {
     static const std::vector<FaultKind> kinds{
         {.name = "silent",
-         .about = "bytes and acknowledges that begin on the link are lost",
+         .about = "bytes and acknowledges whose transmission begins during the fault are lost",
          .attributes = {fault_begins(), fault_ends(), direction()}},
         {.name = "loses_acknowledge",
-         .about = "the first acknowledge that begins on the link at this time or later is lost",
+         .about = "the first acknowledge whose transmission begins at this time or later is lost",
          .attributes = {fault_begins(), direction()}},
         {.name = "slow",
          .about = "the link is slower: each bit lasts longer, in both directions",

@@ -28,10 +28,9 @@ DeviceKind link_adapter() {
                             "speed of the link, unless the connection states it"),
                         .decimal_suffixes = true,
                         .json_name = "link_bits_per_second"},
-                       {.value =
-                            description::text("master", {.by_default = ""},
-                                              "master whose program uses the adapter; \"\": the bus's only workstation "
-                                              "or, without one, its only master"),
+                       {.value = description::text("master", {.by_default = ""},
+                                                   "master whose program uses the adapter; \"\": the only workstation "
+                                                   "of the bus; if the bus has no workstation, its only master"),
                         .json_name = "master"}},
         .bus = BusRole::adapter,
         .faults = {leaves_the_bus()},

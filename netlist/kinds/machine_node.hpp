@@ -44,9 +44,9 @@ struct CarrierPair {
 /// Adds the effects of a device's fault to the report. The function is empty if the fault only stops processes.
 using FaultEffects = std::function<void(FaultUse&)>;
 
-/// A node of the network in a run, made by its DeviceKind. The base class does nothing; a device overrides the
-/// functions that it needs. A device that takes time adds processes and hardware to the simulation. All devices outlive
-/// the simulation.
+/// Simulates a node of the network in a run. The node's DeviceKind makes it. The base class does nothing; a device
+/// overrides the functions that it needs. A device that takes time adds processes and hardware to the simulation. All
+/// devices outlive the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive this object.
@@ -67,8 +67,8 @@ public:
     /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
     /// its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
-    /// Puts the channel of a process on the wire by which the node's own code receives or sends its messages. REQUIRES:
-    /// the node runs its own code; the channel is on this hop (NetworkChannel).
+    /// Puts the channel on a wire between a process and the node's own code, which sends or receives the messages.
+    /// REQUIRES: the node runs its own code; the channel leads over this hop (NetworkChannel).
     virtual void carry(AnyChannel&, const RouteHop&);
     /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}

@@ -28,7 +28,7 @@ struct LinkUse {
     Time occupied; ///< time for which the wire carried bits
 };
 
-/// A master's use of its bus.
+/// Reports a master's use of its bus.
 struct BusMasterUse {
     std::string name;
     int level;
@@ -58,12 +58,12 @@ struct FaultUse {
     struct Hit {
         Time at;
         std::string channel;
-        bool acknowledge;                                 ///< the acknowledge was hit; false: the byte itself
-        std::uint64_t byte;                               ///< number of the byte in its message, from 1
+        bool acknowledge;   ///< true if the fault hit the acknowledge; false if it hit the byte itself
+        std::uint64_t byte; ///< number of the byte in its message, from 1
         hardware::FaultEffect::Hit::Message message = {}; ///< the message, or packet, that was hit
     };
     std::optional<Hit> first, last;            ///< first and last hit
-    std::vector<std::string> stopped_channels; ///< channels in packets that wait for ever because of the fault
+    std::vector<std::string> stopped_channels; ///< channels that wait for ever because the fault stopped their packets
     std::vector<std::string> stopped;          ///< processes that had not ended when their processor halted
     std::optional<Time> held_since;            ///< time at which the hogging master got the bus
     std::uint64_t bus_errors = 0;              ///< accesses that the absent device did not answer
@@ -111,10 +111,10 @@ struct ProgramUse {
     bool failed = false;        ///< the program exited with failure, or the transputer stopped
     bool halted = false;        ///< an error of the program has halted the transputer
     Time booted_at{};           ///< when the host had sent the bootable file
-    /// A process that an error stopped, while others continued.
+    /// Describes a process that an error stopped, while other processes continued.
     struct Stop {
         std::string process;
-        std::string place; ///< place in its source, such as "ring.occ:12:3"
+        std::string place; ///< place in the source, such as "ring.occ:12:3"
         std::string error; ///< "division by zero: 1 / 0"
         Time at;
     };

@@ -71,7 +71,7 @@ void OutsideHost::write(std::span<const std::uint8_t> bytes) {
     go_on();
 }
 
-/// Takes bytes without end: each output of the machine is a part of this input.
+/// Requests an endless input: each output of the machine becomes a part of this input.
 void OutsideHost::taken() { in->take(std::numeric_limits<std::uint32_t>::max()); }
 
 } // namespace placedpar

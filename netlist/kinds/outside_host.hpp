@@ -14,11 +14,12 @@ namespace iserver {
 class OfferedBoard; // iserver/offered_board.hpp
 } // namespace iserver
 
-/// A program outside of the simulation as the host at the link of an emulated transputer. Virtual time does not wait
-/// for this program, except while nothing else can happen: so its bytes come at times that differ from run to run.
+/// Lets a program outside the simulation act as the host at a link of an emulated transputer. Virtual time does not
+/// wait for this program, except while nothing else can happen. The times of the program's bytes therefore differ from
+/// run to run.
 class OutsideHost final : public transputer::ByteEnd {
 public:
-    /// How often the program's bytes are looked for, in simulated time.
+    /// The simulated time between two checks for bytes from the program.
     static constexpr Time looks_every = std::chrono::microseconds{100};
 
     /// REQUIRES: a program has connected to the board, which outlives the run.

@@ -26,8 +26,8 @@ auto ask_kind(const Kind& kind, const Work& work) {
     }
 }
 
-/// Calls the code of a process's kind. The UserError also names the process and its place in the netlist, and says by
-/// `what` which question the kind was asked, such as "whether it is determinate".
+/// Calls the code of a process's kind. The UserError also names the process and its place in the netlist, and contains
+/// `what`, the question to the kind, such as "whether it is determinate".
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
     try {

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// A message of the textbook processes (csp_kinds.hpp): a number, with a stated length on the wire.
+/// Holds a message of the textbook processes (csp_kinds.hpp): a number, and the length of the message on the wire.
 struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;
@@ -18,8 +18,8 @@ struct Packet {
     bool operator==(const Packet&) const = default;
 };
 
-/// A packet in bytes is its number, an INT of four bytes, and zeros up to its length. A packet from a program in a
-/// transputer's own code is an INT.
+/// The byte form of a packet is its number, as an INT of four bytes, followed by zeros up to the length. If a
+/// transputer's own code outputs an INT, a process inputs it as a packet.
 template <>
 struct ByteForm<Packet> {
     using SameAs = std::int32_t;
@@ -57,8 +57,8 @@ inline ParameterDescription packet_cycles(std::string about = "workload: computa
 /// Returns the parameter `words`, for CodeShape::words_outside.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
-                   "workload: accesses to external memory for each packet; each takes memorycycles in place of one of "
-                   "the cycles in `cycles`");
+                   "workload: accesses to external memory for each packet; an access takes memorycycles, and replaces "
+                   "one of the `cycles`");
 }
 
 } // namespace description

@@ -23,7 +23,8 @@ struct ParameterDescription {
     /// Checks a text that has its own syntax. Throws UserError, which says what would be right. If this function is
     /// set, `choices` are only examples.
     std::function<void(const std::string&)> check = {};
-    /// says that the parameter counts cycles of real-number arithmetic; its default assumes a floating-point unit
+    /// True if the parameter counts cycles of real-number arithmetic. The default value then assumes a floating-point
+    /// unit.
     bool computes_reals = false;
     std::string noun = ""; ///< topic on which the program has more help (`deciding`); "": none
 };

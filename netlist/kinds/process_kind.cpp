@@ -18,7 +18,7 @@ const ParameterDescription* ProcessKind::parameter(std::string_view wanted) cons
 std::string ProcessKind::hint_at_port(std::string_view wanted) const {
     auto renamed = std::ranges::find(ports, wanted, &PortDescription::formerly);
     return renamed == ports.end() ? did_you_mean(wanted, names_in(ports))
-                                  : fmt::format("it is called \"{}\" now", renamed->name);
+                                  : fmt::format("its name is now \"{}\"", renamed->name);
 }
 
 } // namespace placedpar

@@ -30,12 +30,13 @@ struct PortDescription {
     std::string about;          ///< one line
     std::string formerly = "";  ///< the port's name in older netlists; "" if the name has never changed
     bool has_byte_form = false; ///< messages can travel to and from programs in a transputer's own code (HasByteForm)
-    std::type_index bytes_as = type; ///< the C++ type whose byte form theirs is: `type`, or ByteForm::SameAs
+    std::type_index bytes_as =
+        type; ///< the C++ type with the same byte form as the messages: `type`, or ByteForm::SameAs
     /// Lists the C++ types that have the same byte form as the messages. Only ports of code have them
     /// (ProcessKind::is_code).
     std::vector<std::type_index> byte_types = {};
     std::int64_t elements = 0; ///< number of channels of the port; 0: the netlist decides
-    bool to_host = false;      ///< leads to the host of the node if it is not connected; only of ports of code
+    bool to_host = false; ///< if the port is not connected, it leads to the host of the node; only for ports of code
 };
 
 /// Describes a quantity that a process of this kind measures and reports at the end of a run.
@@ -47,13 +48,13 @@ struct MeasurementDescription {
 
 /// Describes an error or a probable mistake in a process, found by the kind's own check.
 struct Complaint {
-    std::size_t process = 0; ///< the process at fault, which may be another than the checked process
+    std::size_t process = 0; ///< the process at fault, which may differ from the checked process
     std::string about; ///< the parameter or port at fault, whose place is shown; "": the place of the process is shown
     std::string message, hint;
     bool warning = false; ///< the complaint is shown, but the netlist is accepted
 };
 
-/// A kind of process that a netlist can name in `use "kind" for process;`.
+/// Describes a kind of process, which a netlist can name in `use "kind" for process;`.
 struct ProcessKind {
     std::string name;  ///< such as "ga.master"
     std::string about; ///< a short paragraph
@@ -74,11 +75,11 @@ struct ProcessKind {
     /// Returns the Promela statements of a process of the kind. If empty, networks with such processes cannot be
     /// printed for Spin.
     PromelaStatements promela = {};
-    /// says that a program built on PlacedPar adds this kind: an exception from the kind or its processes is then an
-    /// error of that program, not a defect of PlacedPar
+    /// True if a program built on PlacedPar adds this kind. An exception from the kind or from its processes is then an
+    /// error of that program, not a defect of PlacedPar.
     bool is_own = false;
-    /// says that the kind is made of a file (FileKinds): its processes are code that their node executes, and the kind
-    /// has no body
+    /// True if the kind is made from a source file (FileKinds). Its processes are then code, which their node executes,
+    /// and the kind has no body.
     bool is_code = false;
     std::uint64_t text_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
 
@@ -90,7 +91,7 @@ struct ProcessKind {
     std::string hint_at_port(std::string_view wanted) const;
 };
 
-/// A value for ProcessKind::is_determinate: every process of the kind is determinate.
+/// Serves as ProcessKind::is_determinate if every process of the kind is determinate.
 inline bool always(const Network&, std::size_t) { return true; }
 
 } // namespace placedpar

@@ -39,7 +39,7 @@ public:
 
     const std::string& path(std::size_t process) const { return waiting_[process].path; }
 
-    /// Returns the processes that would use this end of a channel, other than one that waits for it.
+    /// Returns the processes that would use this end of a channel, except `waiting`.
     std::vector<std::size_t> partners(const ProgramEnd& end, std::size_t waiting = no_process) const {
         const auto found = comes_to_.find(end);
         std::vector<std::size_t> result = found == comes_to_.end() ? std::vector<std::size_t>{} : found->second;
@@ -53,8 +53,8 @@ public:
         return found == ended_users_.end() ? "none found" : found->second + " (has ended)";
     }
 
-    /// Follows waits, depth first, until they return to a process on the way. Returns the circle; empty if there is
-    /// none.
+    /// Follows waits, depth first, until a process waits for an earlier process of the search path. Returns the cycle;
+    /// empty if there is none.
     std::vector<std::size_t> cycle() {
         for (std::size_t i = 0; i < waiting_.size(); ++i)
             if (step_to(i); follow())
@@ -78,7 +78,7 @@ private:
         waiting_.push_back({path, awaited});
     }
 
-    /// Adds a process of the report, which follows the process whose component it is.
+    /// Adds a process of the report. In the report, a component comes after the process that started it.
     void add(const StuckProcess& process) {
         const auto parent = numbers_.find(process.path.substr(0, process.path.rfind('/')));
         if (parent != numbers_.end())
@@ -119,7 +119,7 @@ private:
         way_.push_back({process, awaited_by(process)});
     }
 
-    /// Returns the processes for which a process waits, the first to follow last.
+    /// Returns the processes for which a process waits. The search follows the last of them first.
     std::vector<std::size_t> awaited_by(std::size_t process) const {
         std::vector<std::size_t> result;
         std::ranges::copy(waiting_[process].components, std::back_inserter(result));
@@ -134,7 +134,7 @@ private:
     std::map<ProgramEnd, std::vector<std::size_t>> comes_to_;
     std::map<ProgramEnd, std::string> ended_users_;
     std::vector<WaitStep> way_;
-    std::map<std::size_t, std::size_t> on_way_; ///< the place of a process on the way
+    std::map<std::size_t, std::size_t> on_way_; ///< position of each process in way_
     std::set<std::size_t> visited_;
     std::vector<std::size_t> cycle_;
 };
@@ -148,8 +148,8 @@ void name_partners(std::vector<StuckChannel>& rows, const ProgramWaitGraph& grap
     }
 }
 
-/// Adds a row for a channel at which a process of a program waits. If a process of the netlist waits at the other end,
-/// too, since bytes were lost, its row gets the name of this one.
+/// Adds a row for a channel at which a process of a program waits. If bytes were lost, a process of the netlist may
+/// also wait at the other end. Its row then gets the name of the program's process.
 void add_row(std::vector<StuckChannel>& rows, const std::string& own, const std::string& other, const ProgramEnd& end) {
     const auto known = std::ranges::find(rows, end.channel, &StuckChannel::name);
     if (known == rows.end())

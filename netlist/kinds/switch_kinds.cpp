@@ -1,4 +1,5 @@
-// Two kinds for a switch that is set during the run: the logic of the switch, and a program that sets the switch.
+// This file defines two kinds for a switch that is set during the run: the logic of the switch, and a process that sets
+// the switch.
 
 #include "netlist/kinds/csp_kinds.hpp"
 #include "netlist/kinds/description.hpp"
@@ -50,10 +51,11 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
                  "place it on a C004, whose link config leads to the processor that sets it"}};
     for (std::size_t i = 0; i < process; ++i)
         if (network.processes[i].node == self.node)
-            return {{process, "",
-                     fmt::format("two processes are placed on the switch \"{}\" as its logic, expected one",
-                                 network.nodes[self.node].name),
-                     ""}};
+            return {
+                {process, "",
+                 fmt::format("two processes are placed on the switch \"{}\" as its logic, but a switch has only one",
+                             network.nodes[self.node].name),
+                 ""}};
     return {};
 }
 
@@ -169,9 +171,9 @@ ProcessKind switch_setter_kind() {
             .about = "Visits its partners in turn over a switch: connects to the partner, outputs a packet, inputs a "
                      "packet if its inputs are connected, and disconnects.",
             .ports = {output<SwitchCommand>("commands", "c004 command", "commands to the switch"),
-                      optional(input<SwitchAnswer>(
-                          "answers", "c004 answer",
-                          "answers of the switch; if connected, the process asks after each setting")),
+                      optional(input<SwitchAnswer>("answers", "c004 answer",
+                                                   "answers of the switch; if connected, the process asks the switch "
+                                                   "for its state after each connection")),
                       packets_out("out", "an array with one output to each partner"),
                       optional(packets_in("in", "an array with one input from each partner"))},
             .parameters = {packet_count("number of rounds with a packet to each partner"), packet_bytes(),

@@ -5,7 +5,7 @@
 
 namespace placedpar {
 
-/// A transputer in a run: a processor that shares its memory with its link engines.
+/// Simulates a transputer: a processor that shares its memory with its link engines.
 class TransputerNode : public MachineNode {
 public:
     TransputerNode(MachineParts&, std::size_t node);

@@ -50,7 +50,7 @@ DeviceModel in_lower_case(DeviceModel model) {
     return model;
 }
 
-/// A TRAM, or one of the transputers on an evaluation board.
+/// Describes a TRAM, or one of the transputers on an evaluation board.
 struct Module {
     std::string name, chip;
     std::int64_t memory_bytes;
@@ -110,8 +110,8 @@ std::vector<AttributeDescription> attributes_of_booted_programs() {
              .json_name = "host_time_ns"},
             {.value = description::integer(
                  "wraps", {.by_default = 0, .least = 0, .most = 1},
-                 "1: an address of the booted program outside of the memory counts modulo the memory's size, as on "
-                 "boards; 0: it stops the processor, except for lb, sb, ldnl and stnl"),
+                 "1: addresses outside the memory are taken modulo the memory's size, as on boards; 0: if the booted "
+                 "program uses such an address, other than by lb, sb, ldnl or stnl, the processor stops"),
              .json_name = "memory_wraps"}};
 }
 
@@ -162,7 +162,7 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-/// Returns the attributes of the INMOS tool that have no effect here.
+/// Returns the attributes that only icconf uses.
 std::vector<std::string> kept_attributes() {
     auto kept = attributes_of_the_real_tool();
     std::erase(kept, "linkquota");

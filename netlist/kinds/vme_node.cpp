@@ -37,7 +37,7 @@ hardware::VmePlace place_of(const BusAttachment& attachment) {
             attachment.on_request ? hardware::Release::on_request : hardware::Release::when_done};
 }
 
-/// A VMEbus in a run, with its masters, memories, link adapters and ways. REQUIRES: the nodes in its slots are OnVme.
+/// Simulates a VMEbus, with its masters, memories, link adapters and ways. REQUIRES: the nodes in its slots are OnVme.
 class VmeNode final : public MachineNode {
 public:
     VmeNode(MachineParts& parts, std::size_t index) : MachineNode(parts, index), bus_(make_bus(simulation(), node())) {
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Channels of one broadcast, which share each message.
+    /// Holds the channels of one broadcast, which share each message.
     struct Broadcast {
         std::vector<std::size_t> channels;
         hardware::AdapterBroadcast* writer = nullptr;

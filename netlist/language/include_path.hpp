@@ -14,8 +14,8 @@ std::string without_backslashes(std::string name);
 /// predefined.
 bool is_of_the_toolset(const std::string& name);
 
-/// Returns the file of this name in the first folder that has it. Only if a folder lacks the exact name is the case of
-/// letters ignored there, as in DOS. If several files then match, returns the first in order of names.
+/// Returns the file of this name in the first folder that has it. If a folder does not have the exact name, the case of
+/// letters is ignored in this folder, as in DOS. If several files then match, returns the first in order of names.
 std::optional<std::filesystem::path> find_included(const std::string& name,
                                                    const std::vector<std::filesystem::path>& folders);
 

@@ -115,7 +115,7 @@ Token Lexer::as_time(Token token, std::int64_t nanoseconds) {
     double exact = token.real * static_cast<double>(nanoseconds);
     token.kind = TokenKind::integer;
     if (constexpr double most = 9e15; exact > most) {
-        reporter_.error(token.at, "the time is beyond 104 days");
+        reporter_.error(token.at, "the time is longer than 104 days");
         return token;
     }
     token.integer.value = token.integer.decimal = std::llround(exact);

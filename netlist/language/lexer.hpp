@@ -17,7 +17,7 @@ inline constexpr std::size_t longest_name = 255;
 /// illegal token. Comments are written as in C, from slash star to star slash; the language has no other comments.
 class Lexer {
 public:
-    /// If `origins` is not empty, it gives the places; otherwise they are the places in the file.
+    /// If `origins` is empty, the tokens have their places in `file`; otherwise `origins` gives the places.
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter, std::vector<PartOrigin> origins = {});
 
     /// Returns the next token; at the end of the text, always a token of kind `end`.

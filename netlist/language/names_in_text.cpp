@@ -46,7 +46,8 @@ private:
         declare_all(form.names, name);
     }
 
-    /// Returns what a type declares: its root is the type that no `define` made.
+    /// Returns a name declared with this type. The name's `type` is the type from which all `define` statements derive
+    /// it.
     NetlistName declared_by(const std::string& type, const Location& at, const DeclarationAttributes& attributes) {
         use(type, at);
         const NetlistName* const base = visible(type);
@@ -75,7 +76,7 @@ private:
     void walk(const FaultStatement& form, const Location&) { walk_all(form.what, form.attributes); }
     void walk(const ParameterSetting& form, const Location&) { walk_all(form.process, form.values); }
     void walk(const IfStatement& form, const Location&) { walk_all(form.condition, form.then, form.otherwise); }
-    void walk(const SetStatement&, const Location&) const {} // of options only
+    void walk(const SetStatement&, const Location&) const {} // occurs only in options
 
     void walk(const UseStatement& form, const Location&) {
         walk(form.program);
@@ -160,7 +161,7 @@ private:
         }
     }
 
-    /// Returns the text of an expression that is a string, or a val that is one; "" for others.
+    /// Returns the text of a string constant, or of a val that is a string; "" for any other expression.
     std::string text_of(const Expression& expression) const {
         if (const auto* text = std::get_if<TextLiteral>(&expression.form))
             return text->value;

@@ -13,7 +13,7 @@
 
 namespace placedpar {
 
-/// A name that a netlist declares.
+/// Describes a name that a netlist declares.
 struct NetlistName {
     enum class Category { val, type, node, process, connection, edge_channel, replicator };
     std::string name = "";
@@ -24,13 +24,13 @@ struct NetlistName {
     std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< interface of a process
 };
 
-/// A place where a netlist uses a name.
+/// Describes a place where a netlist uses a name.
 struct NetlistNameUse {
     Location at;
     std::size_t name = 0; ///< index in NetlistSyntax::names
 };
 
-/// The syntax of a netlist as an editor needs it: words, statements, and the meaning of names.
+/// Holds the syntax of a netlist for an editor: words, statements, and the meaning of names.
 struct NetlistSyntax {
     std::shared_ptr<const SourceFile> file;
     std::vector<Token> tokens = {}; ///< tokens of the file itself, without tokens of included files
@@ -42,7 +42,7 @@ struct NetlistSyntax {
 
     /// Returns the name that is declared or used at a place; null if there is none.
     const NetlistName* name_at(const Location&) const;
-    /// Returns the name that was declared last under this text; null if there is none.
+    /// Returns the last declaration of this name; null if there is none.
     const NetlistName* find(std::string_view name) const;
 };
 

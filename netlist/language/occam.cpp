@@ -16,12 +16,11 @@ enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
     switch (dialect) {
-    case Dialect::development_system: return "PLACED PAR is read if the name of the file ends in .occ or .pgm";
-    case Dialect::toolset: return "a configuration in occam is read if the name of the file ends in .pgm";
+    case Dialect::development_system: return "to run this file, give it a name that ends in .occ or .pgm";
+    case Dialect::toolset: return "to run this configuration, give its file a name that ends in .pgm";
     default:
-        return "to run a program in occam, give its file a name that ends in .occ; a netlist makes a process of it by "
-               "use "
-               "\"FILE.occ\" for name;";
+        return "placedpar run executes a program in occam if its file's name ends in .occ; a netlist uses it as a "
+               "process: use \"FILE.occ\" for name;";
     }
 }
 

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Says where a text turns out to be occam, and what a netlist would have instead.
+/// Says at which place a text turns out to be occam, and has a hint for the user.
 struct Occam {
     Location at;
     const char* hint;

@@ -66,7 +66,7 @@ Attribute Parser::parse_attribute() {
     else
         refuse(tokens_.peek().at,
                fmt::format("the attribute \"{}\" has no value: found {}", attribute.name, describe(tokens_.peek())),
-               fmt::format("{} = ...", attribute.name));
+               fmt::format("write {} = ...", attribute.name));
     return attribute;
 }
 
@@ -131,7 +131,7 @@ void Parser::refuse_entry() {
     bool may_be_type = token.text.size() > 2 && tokens_.peek(1).kind == TokenKind::name; // do not suggest int for "in"
     std::string meant = may_be_type ? word_meant(token.text, types) : "";
     refuse(token.at, fmt::format("illegal token in an interface: {}", describe(token)),
-           meant.empty() ? "expected channels, \"input in\", and parameters, \"int n = 3\""
+           meant.empty() ? "expected channels such as \"input in\", or parameters such as \"int n = 3\""
                          : fmt::format("did you mean \"{}\"?", meant));
 }
 

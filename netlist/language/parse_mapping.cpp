@@ -31,7 +31,7 @@ Reference Parser::parse_reference(std::string_view what, std::string_view part) 
 
 Reference Parser::parse_target() {
     auto target = parse_reference("a val, an attribute or a parameter", "an attribute or a parameter");
-    expect("=", "after the name of what to set");
+    expect("=", "after the name to be set");
     return target;
 }
 
@@ -115,7 +115,7 @@ Statement Parser::parse_rep() {
     if (!to && !tokens_.peek().is_word("for"))
         refuse(tokens_.peek().at,
                fmt::format("\"for\" or \"to\" is missing in rep: found {}", describe(tokens_.peek())),
-               fmt::format("rep {0} = first for count, or rep {0} = first to last", name.text));
+               fmt::format("write rep {0} = first for count, or rep {0} = first to last", name.text));
     tokens_.take();
     (to ? statement.last : statement.count) = parse_expression();
     if (parenthesis)
@@ -128,7 +128,7 @@ Statement Parser::parse_if() {
     auto at = tokens_.take().at;
     IfStatement statement{parse_expression(), nullptr, nullptr};
     if (tokens_.peek().is("="))
-        refuse(tokens_.peek().at, "illegal token in a condition: \"=\"", "== compares");
+        refuse(tokens_.peek().at, "illegal token in a condition: \"=\"", "write == to compare");
     statement.then = parse_body("if");
     if (tokens_.peek().is_word("else")) {
         tokens_.take();

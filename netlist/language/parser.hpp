@@ -137,7 +137,7 @@ bool is_reserved(std::string_view word);
 bool can_be_a_name(std::string_view text);
 /// Returns the known word that differs from `word` in a letter or two, or only in capital letters; "" if there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Does the same with the words that begin a statement.
+/// Does the same for the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -37,7 +37,7 @@ struct BinaryOperation {
     std::string symbol;
     ExpressionPointer left, right;
 };
-/// `condition ? then : otherwise`
+/// Holds an expression `condition ? then : otherwise`.
 struct ConditionalOperation {
     ExpressionPointer condition, then, otherwise;
 };
@@ -48,7 +48,7 @@ struct CastOperation {
 struct SubscriptOperation {
     ExpressionPointer array, subscript;
 };
-/// `size(array)`
+/// Holds an expression `size(array)`.
 struct SizeOperation {
     ExpressionPointer array;
 };
@@ -64,7 +64,7 @@ struct Expression {
     int height = 1; ///< height of the tree, limited so that walking it cannot exhaust the stack
 };
 
-/// `name[1][2].field[3]`: a declared thing, or a part of it.
+/// Names a declared thing or a part of a thing, such as `name[1][2].field[3]`.
 struct Reference {
     Location at;
     std::string name;
@@ -74,7 +74,7 @@ struct Reference {
     std::vector<ExpressionPointer> field_subscripts;
 };
 
-/// `name = value` in parentheses; `name (a = 1, b = 2)` has a group in place of the value.
+/// Holds an attribute `name = value`, or `name (a = 1, b = 2)` with a group in place of the value.
 struct Attribute {
     std::string name;
     Location at;
@@ -82,17 +82,17 @@ struct Attribute {
     std::vector<Attribute> group;
 };
 
-/// `name[2][3]` where something is declared.
+/// Holds a name and dimensions in a declaration, such as `name[2][3]`.
 struct Declarator {
     std::string name;
     Location at;
     std::vector<ExpressionPointer> dimensions;
 };
 
-/// A channel's direction, or a parameter's type such as "int".
+/// Holds a channel's direction, or a parameter's type such as "int".
 using EntryType = std::variant<Direction, std::string>;
 
-/// One entry of `interface (...)`: a channel end or a parameter.
+/// Holds one entry of `interface (...)`: a channel end or a parameter.
 struct InterfaceEntry {
     EntryType type;
     Declarator declarator;
@@ -135,12 +135,14 @@ struct EdgeChannelDeclaration {
     Direction direction;
     std::vector<Declarator> names;
 };
-/// `name (n = 4);` sets parameters of a process, or attributes of a connection or of a process type.
+/// Holds a statement such as `name (n = 4);`. It sets parameters of a process, or attributes of a connection or of a
+/// process type.
 struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
-/// `n = 4` or `p[1].n = 4` in an option sets a val, or an attribute or a parameter of a declared element.
+/// Holds an option such as `n = 4` or `p[1].n = 4`. It sets a val, or an attribute or a parameter of a declared
+/// element.
 struct SetStatement {
     Reference target;
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
@@ -164,7 +166,7 @@ struct UseStatement {
 struct PlaceStatement {
     Reference what, where;
 };
-/// The statement `fault t[0].link[1] silent (from = 20ms);`.
+/// Holds a statement such as `fault t[0].link[1] silent (from = 20ms);`.
 struct FaultStatement {
     Reference what;
     std::string fault;
@@ -193,7 +195,7 @@ struct Statement {
         form;
 };
 
-/// A function throws this exception, after reporting the error, if it cannot continue with a statement. The exception
+/// Functions throw this exception if they cannot continue with a statement. They report the error first. The exception
 /// is caught where the statement is executed or parsed.
 struct StatementRefused {};
 

@@ -18,8 +18,8 @@ enum class TokenKind {
     end
 };
 
-/// An integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency. Some
-/// attributes, such as `clock` and `linkspeed`, take the second reading (AttributeDescription::decimal_suffixes).
+/// Holds an integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency.
+/// Some attributes, such as `clock` and `linkspeed`, take the second reading (AttributeDescription::decimal_suffixes).
 /// Constants keep both readings through `val`s and arithmetic.
 struct Integer {
     std::int64_t value = 0;
@@ -38,7 +38,7 @@ struct Token {
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }
 };
 
-/// Returns how a message names the token: `"link"`, `the string "x"`, `the end of the file`.
+/// Returns the token's name in a message: `"link"`, `the string "x"`, `the end of the file`.
 std::string describe(const Token& token);
 
 } // namespace placedpar

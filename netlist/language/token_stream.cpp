@@ -127,7 +127,7 @@ bool TokenStream::includes_itself(const std::filesystem::path& real, const Token
         return false;
     std::vector<SecondPlace> others;
     for (auto between = std::next(same); between != open_.end(); ++between)
-        others.push_back({"included here, on the way from the file to itself", between->included_at});
+        others.push_back({"included here, in the chain by which the file includes itself", between->included_at});
     reporter_.error(name.at, fmt::format("\"{}\" includes itself", name.text), "", std::move(others));
     return true;
 }

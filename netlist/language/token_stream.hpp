@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// Limits the number of tokens. No sensible netlist reaches the limit; a chain of files that each include the next file
-/// twice would.
+/// Limits the number of tokens. No sensible netlist reaches the limit, but a chain of files could exceed it, if each
+/// file includes the next file twice.
 inline constexpr std::size_t most_tokens = 8'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
@@ -21,8 +21,8 @@ inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 /// directly or through others, is refused.
 class TokenStream {
 public:
-    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins` are those
-    /// of the main file (Lexer).
+    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins`: the
+    /// origins of the text in `main` (see Lexer).
     TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
                 std::vector<std::filesystem::path> include_folders = {}, std::vector<PartOrigin> origins = {});
 

@@ -44,7 +44,7 @@ bool has_bootable_file(const Network& network) {
 
 namespace {
 
-/// Returns the positions that the things which stay will have; nowhere for the others.
+/// Returns the new position of each thing that stays; nowhere for each thing that does not stay.
 template <class Things, class Stays>
 std::vector<std::size_t> positions_after(const Things& things, const Stays& stays) {
     std::vector<std::size_t> positions;

@@ -40,7 +40,7 @@ struct Answer;      // iserver/server.hpp
 
 inline constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
 
-/// A device of some kind, or an edge. Wires connect nodes.
+/// Describes a node of the network: a device of some kind, or an edge. Wires connect nodes.
 struct Node {
     std::string name; ///< such as "t[0][1]"
     std::string type; ///< such as "T800", "C004" or "edge"; "T800" also for a B404, a module with a T800
@@ -49,16 +49,16 @@ struct Node {
     bool overlapped_acknowledge = true;                   ///< its links acknowledge a byte while the byte comes in
     bool floating_point_unit = true;                      ///< the processor has a floating-point unit, as a T800 has
     std::set<std::string, std::less<>> given = {};        ///< names of the attributes that the netlist gives
-    std::map<std::string, Value> other;                   ///< attributes of the INMOS tool, not used by a simulation
+    std::map<std::string, Value> other; ///< attributes that only icconf uses; no effect on a simulation
     Location declared;
     std::string boot_file = ""; ///< path of the bootable file that a host sends to the node; "" if none
     std::shared_ptr<const std::vector<std::uint8_t>> boot_bytes = nullptr; ///< contents of this file
     Location boot_stated = {};                                             ///< place of the `use` that names the file
     std::shared_ptr<const transputer::CodeLines> code_lines =
-        nullptr;                ///< what NAME.lines beside the file says; or null
-    bool runs_own_code = false; ///< the node is emulated: it executes what it is booted with, or its image
-    /// The program that is in the memory when the run begins: all processes of the node that are code, in one. Null if
-    /// the node has none.
+        nullptr;                ///< contents of NAME.lines beside the file; null if there is none
+    bool runs_own_code = false; ///< the node is emulated: it executes the bytes that boot it, or its image
+    /// The program in the node's memory when the run begins. It contains all processes of the node that are code. Null
+    /// if the node has no such processes.
     std::shared_ptr<const transputer::Image> image = nullptr;
     std::optional<std::size_t> rank = {}; ///< the thread or MPI rank of its processes in a native run; empty: any
 
@@ -74,7 +74,7 @@ struct LinkEnd {
     bool operator==(const LinkEnd&) const = default;
 };
 
-/// The passage of a connection through a crossbar switch, in the direction from end a to end b.
+/// Describes the passage of a connection through a crossbar switch, in the direction from end a to end b.
 struct SwitchCrossing {
     std::size_t node = nowhere;
     int from_link = 0, to_link = 0;
@@ -85,7 +85,7 @@ inline constexpr int bus_port = std::numeric_limits<int>::max();
 /// The link number of the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
 
-/// A device in a slot of a bus.
+/// Describes a device in a slot of a bus.
 struct BusAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
@@ -103,7 +103,8 @@ struct BusWay {
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
-/// A wire between two links, with the switches that it passes, or a way over a bus. At most one end is at an edge.
+/// Describes a wire between two links, with the switches that it passes, or a way over a bus. At most one end is at an
+/// edge.
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
@@ -129,7 +130,7 @@ struct WirePiece {
     bool operator==(const WirePiece&) const = default;
 };
 
-/// One entry of `interface (...)`, as the netlist declares it.
+/// Holds one entry of a declared `interface (...)`.
 struct DeclaredEntry {
     std::string type; ///< "input" or "output" for a channel end; "int", "char", "double" ... for a parameter
     std::string name;
@@ -138,7 +139,7 @@ struct DeclaredEntry {
     bool operator==(const DeclaredEntry&) const = default;
 };
 
-/// A connected port of a process. Optional ports that are not connected are not listed.
+/// Describes a connected port of a process. Optional ports that are not connected are not listed.
 struct PortBinding {
     std::string port; ///< such as "to_slaves" or "out[2]"; the kind's port is "to_slaves" or "out"
     Direction direction;
@@ -161,12 +162,12 @@ struct ProcessInstance {
     bool high_priority = false;
     std::size_t node = nowhere;
     std::vector<PortBinding> ports; ///< in the order of the kind's ports; for a stand-in, in the order of the interface
-    std::map<std::string, Value> other; ///< attributes of the INMOS tool, not used by a simulation
+    std::map<std::string, Value> other; ///< attributes that only icconf uses; no effect on a simulation
     Location declared;
 };
 
-/// A process's port, an edge channel, or a program in the own code of a node. Without a process, `process` is nowhere,
-/// and `port` is the name of the edge channel; "" if there is none.
+/// Describes the end of a channel: at a port of a process, at an edge channel, or in the own code of a node. If there
+/// is no process, `process` is nowhere, and `port` is the name of the edge channel, or "".
 struct ChannelEnd {
     std::size_t process = nowhere;
     std::string port;
@@ -199,23 +200,23 @@ struct ChannelPlacement {
 
 struct NetworkChannel {
     std::string name;    ///< name of the `connection` by which it was connected, or "a.out -> b.in"
-    ChannelEnd from, to; ///< at most one end is without a process
+    ChannelEnd from, to; ///< at most one end has no process
     ChannelPlacement placement;
     Location connected;
 
-    /// Returns the end at a node that runs its own code, whose program moves the bytes of the messages; null if the
-    /// channel leads from a process to a process, or to an edge.
+    /// Returns the end at a node that runs its own code, which sends or receives the messages; null if the channel
+    /// leads from a process to a process, or to an edge.
     const ChannelEnd* end_at_code() const {
         const bool leads_to_code = placement.kind == ChannelPlacement::Kind::link && (from.at_edge() || to.at_edge());
         return !leads_to_code ? nullptr : from.at_edge() ? &from : &to;
     }
 };
 
-/// Returns whether the channels belong to one port array and one bus: one message then goes to the adapters of both.
-/// REQUIRES: both are broadcast.
+/// Returns whether the two channels belong to the same port array and the same bus, so that each message goes to the
+/// adapters of both channels. REQUIRES: both channels are broadcast.
 bool are_one_broadcast(const NetworkChannel&, const NetworkChannel&);
 
-/// A fault of a link or a device in a run.
+/// Describes a fault of a link or a device in a run.
 struct Fault {
     std::string kind;                                     ///< "silent", "halts"
     std::size_t node = nowhere;                           ///< the failing device, or the device with the failing link
@@ -239,26 +240,28 @@ struct SetByOption {
     std::vector<std::string> elements; ///< elements that have the attribute or parameter; empty: the name is a val
 };
 
-/// The services that the hosts of booted nodes offer to their programs.
+/// Describes the services that the hosts of booted nodes offer to their programs.
 struct HostServices {
     std::string folder = "";       ///< the only folder whose files a program can reach; "": none
     std::string command_line = ""; ///< arguments of the program
     std::map<std::string, std::string> environment = {};
     std::uint64_t write_limit_bytes = 64U << 20;
-    bool lists_code = false;       ///< counts the instructions that booted nodes execute
-    bool analyses = false;         ///< shows the state of booted nodes at the end
-    std::istream* steps = nullptr; ///< commands that execute the code of the node with a host step by step; null: none
-    /// Makes the terminal of a host. Empty: the screen shows nothing, and no key is pressed.
+    bool lists_code = false; ///< counts the instructions that booted nodes execute
+    bool analyses = false;   ///< shows the state of booted nodes at the end
+    std::istream* steps =
+        nullptr; ///< commands for executing the code of the node with a host step by step; null: the code just runs
+    /// Makes the terminal of a host. If the function is empty, the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
-    /// Answers requests at a time, instead of a server. Empty: a server answers.
+    /// Answers a request at the given virtual time, in place of a server. If the function is empty, a server answers.
     std::function<iserver::Answer(std::span<const std::uint8_t>, std::chrono::microseconds)> answers = {};
-    iserver::OfferedBoard* board = nullptr; ///< where another program is the host of a node with one; null: nowhere
+    iserver::OfferedBoard* board =
+        nullptr; ///< board through which another program is the host of a node; null: no other program is
 };
 
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
-    std::vector<WirePiece> pieces;           ///< pieces of the wires that are connected during the run
+    std::vector<WirePiece> pieces;           ///< pieces of wire that are joined during the run
     std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
@@ -274,12 +277,12 @@ struct Network {
     std::size_t count_wires() const;
 };
 
-/// A program that boots a node and was compiled.
+/// Holds a compiled program that boots a node.
 struct CompiledProgram {
     std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< contents of a bootable file
-    std::shared_ptr<const SourceFile> lines;                ///< the table of its code; null if there is none
+    std::shared_ptr<const SourceFile> lines;                ///< the table of its source lines; null if there is none
 };
-/// Programs by the path of the file that the netlist names. Other files are read.
+/// Holds compiled programs by the path that the netlist names. Paths that are not in this map are read from files.
 using CompiledPrograms = std::map<std::string, CompiledProgram, std::less<>>;
 
 /// Returns the paths of all files that the netlist names: included files, then bootable files.
@@ -289,7 +292,7 @@ std::vector<std::string> paths_of_inputs(const Network& network);
 bool has_bootable_file(const Network& network);
 
 /// Returns the network as a machine executes it: without the processes that are code, and without the channels between
-/// them. Their other channels end at their nodes, which run their own code.
+/// such processes. The other channels of these processes end at the nodes, which run their own code.
 Network with_code_inside(Network network);
 
 /// Returns whether both ends of a channel are processes that are code.

@@ -4,9 +4,9 @@
 
 namespace placedpar {
 
-/// Returns the network as it is drawn. A line from each device to the bus replaces the ways over the bus. A channel
-/// over a way takes the lines of its two devices. A line has no speed (bits_per_second is 0). End b of a line is the
-/// bus, with the slot as its link number; end a has no link number.
+/// Returns the network as it is drawn: the ways over a bus are replaced by a line from each device to the bus. A
+/// channel over a way takes the lines of the two devices at its ends. A line has no speed (bits_per_second is 0). End b
+/// of a line is the bus, with the slot as its link number; end a has no link number.
 Network with_buses_as_wires(Network network);
 
 } // namespace placedpar

@@ -82,14 +82,15 @@ public:
     }
 
 private:
-    /// Returns the path of a bootable file, or its contents' hash: a network is another one if a program was compiled
-    /// anew, and finds the same file after it has moved.
+    /// Returns the path of a bootable file or, in the canonical form, the hash of its contents. The hash of the network
+    /// then changes if the program changes, but not if the file only moves.
     std::string boot_file(const Node& node) const {
         return order_ == ParameterOrder::as_given ? print_constant(node.boot_file)
                                                   : fmt::format("{:016x}", boot_hash(node));
     }
 
-    /// Returns the program of a process. Of a file, the hash of its text counts, as for a bootable file.
+    /// Returns the program of a process. In the canonical form, the hash of the text replaces the name of a source
+    /// file.
     std::string program(const ProcessInstance& process) const {
         return order_ == ParameterOrder::as_given || process.program_hash == 0
                    ? print_constant(process.kind)

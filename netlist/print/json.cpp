@@ -49,8 +49,8 @@ json::object to_json(const Node& node) {
     return object;
 }
 
-/// Writes a network as JSON. Nodes, processes and channels are referred to by name, and connections by position, since
-/// they may lack names.
+/// Writes a network as JSON. Nodes, processes and channels are referred to by name. Connections are referred to by
+/// position, since a connection may have no name.
 class JsonPrinter {
 public:
     explicit JsonPrinter(const Network& network) : n_(network) {}

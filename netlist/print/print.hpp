@@ -9,11 +9,10 @@
 namespace placedpar {
 
 /// Prints the network in the netlist language; the text reads back to the same network. Parameters keep the order of
-/// the netlist, and the toolset's include comes before the first use of its declarations, so the INMOS tool also
-/// accepts the text.
+/// the netlist, and the toolset's include comes before the first use of its declarations, so INMOS's configurer icconf
+/// also accepts the text.
 std::string print_cfs(const Network& network);
-/// Returns the text that is hashed. Equal networks have equal texts, whatever the order of parameters, and with or
-/// without the toolset's include.
+/// Returns the text that is hashed. Neither the order of parameters nor the toolset's include changes this text.
 std::string canonical_form(const Network& network);
 /// Prints the network for Graphviz: processors as boxes with their processes, wires labelled with their links.
 std::string print_dot(const Network& network);
@@ -29,8 +28,8 @@ std::uint64_t network_hash(std::string_view canonical, std::uint64_t before = ha
 /// Returns the FNV-1a hash of the contents of a node's bootable file. REQUIRES: the node has one.
 std::uint64_t boot_hash(const Node& node);
 
-/// Holds the printed form of a network and the hash of its canonical form. The long parts that both forms share are
-/// printed only once.
+/// Holds the printed form of a network and the hash of its canonical form. The long parts are equal in the two forms,
+/// and are printed only once.
 struct WrittenOut {
     std::string text = "";  ///< print_cfs; "" if it is too large
     std::size_t bytes = 0;  ///< length of print_cfs()

@@ -28,10 +28,10 @@ std::vector<std::string> kinds_in_promela(const Catalogue& catalogue) {
 const ProcessKind& kind_with_statements(const ProcessInstance& process, const Catalogue& catalogue) {
     const ProcessKind* kind = catalogue.find(process.kind);
     if (!kind || !kind->promela)
-        throw UserError(fmt::format("\"{}\" is a {}, a kind without a Promela model of its communications; these "
-                                    "kinds have one: {}",
-                                    process.name, process.kind.empty() ? "process without a kind" : process.kind,
-                                    fmt::join(kinds_in_promela(catalogue), ", ")));
+        throw UserError(
+            fmt::format("\"{}\" is a {}, which has no Promela model of its communications; these kinds have one: {}",
+                        process.name, process.kind.empty() ? "process without a kind" : process.kind,
+                        fmt::join(kinds_in_promela(catalogue), ", ")));
     return *kind;
 }
 
@@ -72,17 +72,18 @@ std::string legend(const Network& network) {
     std::string out;
     for (std::size_t i = 0; i < network.channels.size(); ++i)
         out += fmt::format("/* c[{}]: {} */\n", i, network.channels[i].name);
-    return out + fmt::format("/* c[{}]: nothing passes, where a guard is closed */\n", network.channels.size());
+    return out + fmt::format("/* c[{}]: no message ever passes; used for closed guards */\n", network.channels.size());
 }
 
 /// Refuses processors that execute their own code, which has no model.
 void refuse_code(const Network& network) {
     for (const Node& node : network.nodes)
         if (node.runs_own_code)
-            throw UserError(fmt::format("\"{}\" executes its own code, of which there is no Promela model", node.name));
+            throw UserError(fmt::format("\"{}\" executes its own code, which has no Promela model", node.name));
 }
 
-/// Refuses broadcasts. A model without their waits might have no deadlock although the machine deadlocks.
+/// Refuses broadcasts. The outputs of a broadcast wait for each other. A model without these waits might have no
+/// deadlock although the machine deadlocks.
 void refuse_broadcasts(const Network& network) {
     for (const NetworkChannel& channel : network.channels)
         if (std::size_t bus = channel.placement.broadcast_on; bus != nowhere)

@@ -16,7 +16,7 @@ std::string print_constant(const Value& value);
 std::string print_entry(std::string_view name, const Value& value);
 
 /// Returns the attributes that differ from those of the first element of the node's array, or from the kind's defaults
-/// if `first` is null; then the attributes that only the INMOS tool uses.
+/// if `first` is null; after these, the attributes that only icconf uses.
 std::vector<std::string> print_attributes(const Node& node, const Node* first = nullptr);
 
 /// Describes consecutive elements of one array, or a single thing.
@@ -38,7 +38,7 @@ std::string print_list(const std::vector<std::string>& entries);
 /// Returns whether a wire leads to a transputer that executes its own code.
 bool is_used_by_code(const Network& network, const LinkConnection& wire);
 
-/// Says how a transputer that executes its own code gets it: "boots hello.btl", "boots over its links".
+/// Says where a transputer gets its own code from: "boots hello.btl", "boots over its links".
 std::string print_boot(const Node& node);
 
 } // namespace placedpar

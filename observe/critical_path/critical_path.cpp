@@ -26,7 +26,7 @@ std::string executive_of(const Process& process) { return process.executive() ? 
 
 bool outputs(const Process& process) { return process.activity() == Activity::outputting; }
 
-/// Returns the channel whose message ends the wait; null if the wait ends otherwise.
+/// Returns the channel whose message ends the wait; null if no message ends the wait.
 const AnyChannel* channel_of_message(const Process& process) {
     const auto channels = process.awaited_channels();
     auto found = std::ranges::find_if(channels, [&](const AnyChannel* channel) {
@@ -113,7 +113,8 @@ void CriticalPath::turns(const Process& process, Activity activity, Time now) {
     tell(process, activity, now);
 }
 
-/// Accounts for a process of a booted program. Its message takes no time once both processes are at the channel.
+/// Accounts for a process of a booted program. A message of such a process takes no time once both processes are at the
+/// channel.
 void CriticalPath::program_turns(const ProgramTurn& turn, Time now) {
     ProgramLane& lane = programs_[turn.process];
     if (is_waiting(lane.does) && turn.activity == Activity::ready)
@@ -268,7 +269,7 @@ void CriticalPath::leaves(const PlaceLeft& left, Time now) {
     bus_held_[bus] = lane->last;
 }
 
-/// Handles the end of a process. The last component of a PAR to end causes its parent to continue.
+/// Handles the end of a process. The component of a PAR that ends last causes the parent to continue.
 void CriticalPath::end(Lane& lane, Time now) {
     has_turn(lane, now);
     hold_executive(lane);

@@ -20,8 +20,8 @@ namespace placedpar {
 /// Records the critical path of a run while it happens. Each event is stored with its cause. The cause of a message is
 /// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
 /// preceding turn; the cause of the end of a PAR is the end of its last component. Processes of booted programs have
-/// accounts, but no points on the path, which leads over their host and links. The causes lead from the end of the
-/// run to its beginning without a gap, since each activity begins when its cause ends.
+/// accounts, but no points on the path; the path leads over their host and links instead. The causes lead from the end
+/// of the run to its beginning without a gap, since each activity begins when its cause ends.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
     /// If the path exceeds `most_points`, it is discarded, and the rest of the run takes no further memory.

@@ -13,7 +13,8 @@
 namespace placedpar::page {
 
 /// Keeps a trace for a page of bounded size: the load of every track in bins, and the slices and messages, packed. If
-/// there are too many slices and messages, only those at the beginning and the end of the run are kept.
+/// there are too many slices and messages, only the slices and messages at the beginning and the end of the run are
+/// kept.
 class PageRecorder final : public TraceWriter {
 public:
     /// REQUIRES: the tracks outlive this object.

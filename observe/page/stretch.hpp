@@ -32,14 +32,12 @@ public:
     void add(const MessageArrow&);
 
     /// Packs the stretch, which then begins anew at its end. The bytes are numbers (append_number). Each value below is
-    /// a column over all slices or messages, since equal kinds of values compress best together:
-    ///   length of the texts in bytes; the texts as JSON;
-    ///   number of tracks that have slices; for each such track: its number and its number of slices;
-    ///   for all slices, by track: time since the end of the track's preceding slice, or since the stretch's begin;
-    ///   duration; activity, plus 16 if the slice is open; number of its text;
-    ///   number of messages; for all messages, in order of leaving: sender's track; receiver's track;
-    ///   time since the preceding message left, or since the stretch's begin; duration; number of the channel's text.
-    /// Times are in picoseconds.
+    /// a column over all slices or messages, since values of one kind compress best if they follow each other: length
+    /// of the texts in bytes; the texts as JSON; number of tracks that have slices; for each such track: its number and
+    /// its number of slices; for all slices, by track: time since the end of the track's preceding slice, or since the
+    /// stretch's begin; duration; activity, plus 16 if the slice is open; number of its text; number of messages; for
+    /// all messages, in order of leaving: sender's track; receiver's track; time since the preceding message left, or
+    /// since the stretch's begin; duration; number of the channel's text. Times are in picoseconds.
     PackedStretch pack();
 
 private:

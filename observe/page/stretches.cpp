@@ -32,7 +32,7 @@ void Stretches::add(const MessageArrow& arrow) {
 }
 
 /// Returns the row whose open stretch the entry can join. A new row keeps at most an eighth of the bytes of the
-/// preceding row. It gets so few entries that it still fills up later.
+/// preceding row. The new row receives so few entries that it nevertheless fills up later than the preceding row.
 Stretches::Row& Stretches::row_for(Time begin) {
     auto row = std::ranges::find_if(rows_, [begin](const Row& each) { return each.open.begin() <= begin; });
     if (row != rows_.end())

@@ -12,8 +12,8 @@ namespace placedpar {
 /// Draws a trace as a timeline in SVG, for pages and papers. Each node is a group of rows: its processor, its
 /// processes, the directions of its links, its buses. A row without any slice is left out. A process and the components
 /// of its PARs share a row. The row shows computing if one of them computes; otherwise waiting for the processor if one
-/// of them waits for it; otherwise waiting for a partner. Bars that would touch at the drawing's resolution are joined.
-/// Arrows are the messages between rows.
+/// of them waits for the processor; otherwise waiting for a partner. Bars that would touch at the drawing's resolution
+/// are joined. Arrows are the messages between rows.
 class SvgTrace final : public TraceWriter {
 public:
     /// Largest number of slices and messages of a drawing: more could not be distinguished.

@@ -36,7 +36,7 @@ Timeline::Timeline(Tracks& tracks, const TraceWindow& window, TraceWriter& write
 std::string Timeline::why_empty() const {
     if (window_.from == Time{} || *end_ > window_.from)
         return "";
-    return fmt::format("the run ended at {}, before the trace was to begin at {}", to_string(*end_),
+    return fmt::format("the run ended at {}, but the trace would begin at {}", to_string(*end_),
                        to_string(window_.from));
 }
 
@@ -100,7 +100,7 @@ void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     use_links(lane);
 }
 
-/// Notes a wait for links. A link is its own partner.
+/// Notes a wait for links. The partner of such a wait is the link itself.
 void Timeline::use_links(const ProgramLane& lane) {
     for (const Awaited& each : lane.awaited)
         if (each.channel == each.partner)

@@ -23,7 +23,7 @@ struct TraceWindow {
     bool is_part() const { return from > Time{} || until < Time::max(); }
 };
 
-/// Returns the argument. Throws UserError if the window is empty.
+/// Returns the window. Throws UserError if the window is empty.
 const TraceWindow& require_time_in(const TraceWindow&);
 
 /// Converts the kernel's notices into slices on tracks. A slice ends when the process changes its activity. If a
@@ -34,9 +34,9 @@ public:
     /// REQUIRES: the tracks and the writer outlive this object.
     Timeline(Tracks&, const TraceWindow&, TraceWriter&);
 
-    /// Returns the time at which the trace became full; nothing if it did not.
+    /// Returns the time at which the trace became full; nothing if it is not full.
     std::optional<Time> full_at() const { return full_at_; }
-    /// Returns why no part of the run lies in the window; "" if some part does. REQUIRES: the run is over.
+    /// Returns why no part of the run is in the window; "" if some part is. REQUIRES: the run is over.
     std::string why_empty() const;
     /// Completes the trace. A wait is written as open if it never ended, or ended after the end of the trace. A wait
     /// that ended after the work of the run (see wait_until_work_is_over) is not open. REQUIRES: the run is over.
@@ -53,7 +53,7 @@ public:
 
 private:
     friend class ActivityLog<Timeline>;
-    /// One end of a message, until the slice in which it lies is known.
+    /// One end of a message, until the slice that contains this end is known.
     struct MessageEnd {
         std::uint64_t message;
         bool arrives;
@@ -67,7 +67,7 @@ private:
         std::optional<Time> stopped = {};   ///< time at which the process stopped computing; empty while the process
                                             ///< computes
         std::optional<Time> last_end = {};  ///< end of its last slice
-        Time waited_since{};                ///< begin of its last wait
+        Time waited_since{};                ///< beginning of its last wait
         std::size_t partner = Tracks::none; ///< track of the partner of the present wait
         std::vector<MessageEnd> here = {};  ///< ends of messages that belong to the next slice with a duration
         std::vector<std::uint64_t> arriving = {}; ///< messages that end the present wait

@@ -15,7 +15,7 @@ namespace placedpar {
 void require_trace_format(const std::filesystem::path&);
 
 /// A trace file. The ending of its name selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace).
-/// A pipe or device without an ending gets JSON; standard output, "-", gets JSON, too.
+/// A pipe or device without an ending, and standard output ("-"), receive JSON.
 class TraceFile {
 public:
     /// Throws UserError as require_trace_format() does, and if the file cannot be written or the window is empty. The

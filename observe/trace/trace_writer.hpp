@@ -46,7 +46,8 @@ public:
     virtual void write(const Slice&) = 0;
     /// REQUIRES: both slices of the message have been written.
     virtual void write(const MessageArrow&) = 0;
-    /// Adds the critical path, in order of time. Call it before finish(), if the path is known. A format may ignore it.
+    /// Adds the critical path, in order of time. Call it before finish(), if the path is known. A format may ignore the
+    /// path.
     virtual void draw_path(std::span<const PathPart>) {}
     /// Ends the trace, which covers the time from `begin` to `end`. `why` says why the trace ended, such as "deadlock".
     virtual void finish(Time begin, Time end, const std::string& why) = 0;

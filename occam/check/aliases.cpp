@@ -10,7 +10,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns ", through "p"" of an access in the body of a routine.
+/// Returns ", through "p"" for an access that the body of the called routine p makes; "" for any other access.
 std::string through_text(const Access& access) {
     return access.through ? ", through \"" + access.through->name + "\"" : "";
 }
@@ -25,8 +25,8 @@ bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
 
 } // namespace
 
-/// Returns whether an access names the variable through an abbreviation, or through a later one, which was checked
-/// where it is declared.
+/// Returns whether an access uses the name of the abbreviation, or of a later abbreviation, which was checked at its
+/// own declaration.
 bool UsageCheck::is_named_by(const Access& access, const Declaration& abbreviation) const {
     if (access.root == access.base)
         return false;
@@ -91,11 +91,11 @@ void UsageCheck::check_block(const Expression& target, const Expression& value) 
     const bool are_equal = first.first == second.first && first.end == second.end;
     if (!are_equal && overlap_of(*to, *from, replicators_) == Overlap::certain)
         reporter_.error(program_.location(target.at),
-                        "\"" + to->base->name + "\" is assigned to itself, and source and target overlap",
-                        "copy through another array");
+                        "\"" + to->base->name + "\" is assigned to itself, and the source overlaps the target",
+                        "copy the source to another array first");
 }
 
-/// Compares what the arguments of a call, or the targets of an assignment, use.
+/// Compares the accesses of the arguments of a call, or of the targets of an assignment, with each other.
 void UsageCheck::check_parts(const std::vector<Part>& parts, bool only_certain, const std::string& what) {
     const auto meet = [&](const Access& a, const Access& b) {
         const Overlap overlap = a.base == b.base ? overlap_of(a, b, replicators_) : Overlap::none;

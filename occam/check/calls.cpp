@@ -27,11 +27,12 @@ std::vector<const Type*> Checker::results_of(const Declaration& routine) const {
 }
 
 void Checker::argument(Expression& expression, const Formal& formal, const std::string& of) {
-    const std::string role = formal.name.empty() ? "this parameter of " + of : "\"" + formal.name + "\" of " + of;
+    const std::string role =
+        formal.name.empty() ? "this parameter of " + of : "the parameter \"" + formal.name + "\" of " + of;
     if (is_data(*formal.type) && formal.passing == Parameter::Passing::value)
         return value_of(expression, formal.type, role);
     if (is_data(*formal.type)) {
-        variable(expression, "passed by reference, as " + role);
+        variable(expression, "passed by reference as " + role);
         agrees(expression, formal.type, role);
         return;
     }
@@ -61,7 +62,9 @@ void Checker::arguments(const Place& place, const std::string& name, std::vector
         hint +=
             (hint.empty() ? "" : ", ") + word + name_of(*formal.type) + (formal.name.empty() ? "" : " " + formal.name);
     }
-    report(place, name + " has " + std::to_string(formals.size()) + " parameters, not " + std::to_string(given.size()),
+    report(place,
+           "wrong number of arguments for " + name + ": expected " + std::to_string(formals.size()) + ", found " +
+               std::to_string(given.size()),
            "its parameters: (" + hint + ")", names_.find(name));
 }
 
@@ -73,7 +76,7 @@ void Checker::effects_of_call(const Declaration& called, const Place& place) {
     if (!effects.communicates.empty())
         communicates(place, effects.communicates + " in \"" + called.name + "\"");
     for (const Declaration* const variable : effects.assigned)
-        assigned(variable, place, ", through \"" + called.name + "\"");
+        assigned(variable, place, " through \"" + called.name + "\"");
     if (!effects.has_priority_par)
         return;
     if (inside_priority_par_)

@@ -4,8 +4,8 @@
 
 namespace placedpar::occam {
 
-/// Finds the meaning of all names, the type of all expressions and the value of all constants, and reports what the
-/// language does not allow. If there is no error, also checks parallel usage and aliases, unless the options turn these
+/// Finds the meaning of all names, the types of all expressions and the values of all constants. Reports violations of
+/// the language's rules. If there is no error, also checks parallel usage and aliases, unless the options turn these
 /// checks off. Fills the members of the tree that are marked "checked".
 void check(Program&, const SourceOptions&, Reporter&);
 

@@ -14,25 +14,27 @@
 
 namespace placedpar::occam {
 
-/// Returns the declaration at the root of a path such as `a[i]` or `[a FROM i FOR n]`; null if the path has another
-/// root.
+/// Returns the declaration of `a` for a path such as `a[i]` or `[a FROM i FOR n]`; null if the path does not begin with
+/// a name.
 const Declaration* root_of(const Expression&);
-/// Returns the declaration that an abbreviation or RETYPES without VAL names; null for other declarations.
+/// Returns the declaration to which an abbreviation or RETYPES without VAL gives another name; null for any other
+/// declaration.
 const Declaration* named_by(const Declaration&);
-/// Returns the declaration that an abbreviation or RETYPES finally names; any other declaration itself.
+/// Follows named_by() until it is null, and returns the last declaration: for an abbreviation of an abbreviation, for
+/// example, the variable.
 const Declaration* base_of(const Declaration*);
-/// Returns whether a value of this type can be in a variable: it is not a channel, timer or port.
+/// Returns whether a variable can hold a value of this type. Channels, timers and ports are not values.
 bool is_data(const Type&);
-/// Returns the type of the channels, timers or values in an array of any dimensions; any other type itself.
+/// Returns the type of the elements of an array with any number of dimensions. Returns any other type unchanged.
 const Type& innermost(const Type&);
-/// Returns whether a value of type `given` can be used where type `wanted` is required. Arrays of unknown size are
-/// compared at run time.
+/// Returns whether a value of type `given` can be used where type `wanted` is required. A size that is unknown at
+/// compile time fits every size; the program compares the sizes at run time.
 bool fits(const Type& wanted, const Type& given);
 
-/// Returns whether an expression is made of integer literals without a type.
+/// Returns whether all operands of an expression are integer literals without a type.
 bool is_untyped(const Expression&);
 
-/// Declarations that are visible at a place, by name.
+/// Holds the declarations that are visible at the present place, by name.
 class Names {
 public:
     void add(Declaration&);
@@ -47,17 +49,17 @@ private:
     std::unordered_map<std::string, std::vector<Declaration*>> by_name_;
 };
 
-/// A PROC, FUNCTION or VALOF around the present place, and its effects on variables outside.
+/// Describes a PROC, FUNCTION or VALOF around the present place, and its effects on its surroundings.
 struct Routine {
     const Declaration* declaration = nullptr; ///< null for a VALOF in an expression
     bool is_function = false;
-    std::string communicates = {};                 ///< such as "an output"; "" if it does not
-    std::vector<const Declaration*> assigned = {}; ///< variables outside of it to which it assigns
+    std::string communicates = {};                 ///< its first communication, such as "an output"; "" if it has none
+    std::vector<const Declaration*> assigned = {}; ///< variables outside of the routine to which it assigns
     bool has_priority_par = false;
-    bool is_inside_priority_par = false; ///< it is declared inside a PRI PAR
+    bool is_inside_priority_par = false; ///< the routine is declared inside a PRI PAR
 };
 
-/// The properties of a parameter that matter for a call.
+/// Holds the properties of a parameter that a call depends on.
 struct Formal {
     const Type* type = nullptr;
     Parameter::Passing passing = Parameter::Passing::value;
@@ -66,21 +68,21 @@ struct Formal {
 };
 
 /// Finds the meaning of names, the types and the constants of a program. Each declaration and process is visited once,
-/// in the order of the text. A method that finds an error reports it and returns the mistaken type.
+/// in the order of the text. A method that finds an error reports it, and returns the type `mistaken`.
 class Checker {
 public:
     Checker(Program& program, Reporter& reporter) : program_(program), reporter_(reporter), types_(program.types) {}
     void check_program();
 
-    // What executes a configuration (occam/configuration) visits its declarations and processes itself, as often as
-    // they are repeated: each time with other values of the indices, which are constants.
+    // The public functions below serve the Configurer (occam/configuration). It visits the declarations and processes
+    // of a configuration itself. It visits replicated processes once for each value of the index, as a constant.
 
     void check_units();
     /// Checks a declaration, and makes it visible.
     void declare(Declaration&);
     void add(Declaration&);
     std::size_t mark() const { return names_.mark(); }
-    /// Hides what was made visible since the mark.
+    /// Hides all declarations that were made visible after the mark.
     void leave(std::size_t mark) { names_.leave(mark); }
     Declaration* find(const std::string& name, const Place&);
     const Type* check(Expression&);
@@ -97,7 +99,7 @@ private:
     /// cause.
     bool is_first(const Declaration*, std::string mistake);
     void report_unknown(const std::string& name, const Place&);
-    /// Checks declarations one after the other. The caller hides them again by names_.leave.
+    /// Checks the declarations in order, and makes them visible. The caller must hide them with names_.leave.
     void declare(DeclarationList&);
     Declaration* predefined(const std::string& name);
     // unused.cpp
@@ -120,9 +122,9 @@ private:
 
     // Expressions (expressions.cpp)
     const Type* value(Expression&);
-    /// Checks a value that must be of this type; `role` says what it is, such as "the time".
+    /// Checks a value that must be of this type. `role` names the value in messages, such as "the time".
     void value_of(Expression&, const Type* wanted, const std::string& role);
-    /// Checks a path to which the program writes.
+    /// Checks an expression that must name a variable to which the program writes.
     const Type* variable(Expression&, const std::string& action);
     /// Reports an error if a value does not have the required type.
     bool agrees(Expression&, const Type* wanted, const std::string& role, std::string hint = "");
@@ -180,7 +182,7 @@ private:
     void enter_routine(Routine);
     void leave_routine(std::size_t mark);
     void value_process(ValueProcess&);
-    /// Checks the right side of an assignment, where one call may give several values.
+    /// Checks the right side of an assignment. One call may give several values.
     std::vector<const Type*> types_of_values(std::vector<Expression>&);
     std::vector<const Type*> types_of_results(std::vector<Expression>&);
     bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
@@ -219,7 +221,7 @@ private:
     void check_priority(const Process&, const Parallel&);
 
     // Communication (communication.cpp)
-    /// Notes that a process communicates, which functions must not.
+    /// Notes that a process communicates. A function must not contain such a process.
     void communicates(const Place&, const std::string& what);
     const Type* channel(Expression&, const char* action);
     void use_channel(const Expression&, Direction);
@@ -242,22 +244,23 @@ private:
     Types& types_;
     Names names_;
     std::vector<Routine> routines_;
-    std::unordered_map<const Declaration*, std::size_t> depths_; ///< routines around a declaration
+    std::unordered_map<const Declaration*, std::size_t> depths_; ///< number of routines around a declaration
     std::unordered_map<const Declaration*, Routine> effects_;    ///< effects of the checked procedures
     std::unordered_map<const Declaration*, Place> directed_at_;  ///< the first use of a channel parameter
-    std::unordered_map<const TypeText*, const Type*> resolved_;  ///< several declarations may share a text
+    std::unordered_map<const TypeText*, const Type*>
+        resolved_; ///< key: a type's text, which several declarations may share
     std::unordered_map<std::string, Declaration*> predefined_;
-    std::unordered_set<std::string> reported_;                      ///< unknown names
-    std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< that is_first() has seen
-    std::vector<const Declaration*> declared_;                      ///< in the order of the text
+    std::unordered_set<std::string> reported_;                      ///< unknown names that have been reported
+    std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< mistakes for which is_first() was called
+    std::vector<const Declaration*> declared_; ///< all checked declarations, in the order of the text
     std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;
     struct Pending {
         const DeclarationList* list;
         std::size_t next;
     };
-    std::vector<Pending>
-        pending_; ///< lists of declarations around the present place, and the declarations that follow it there
+    std::vector<Pending> pending_; ///< for each list of declarations around the present place: the list, and the index
+                                   ///< of its next declaration
     bool several_allowed_ = false; ///< the next expression may be a call with several results
     bool inside_priority_par_ = false;
 };

@@ -40,7 +40,8 @@ const Type* Checker::channel(Expression& expression, const char* action) {
 }
 
 void Checker::mark_direction(const Declaration& declaration, Direction direction, const Place& place) {
-    // The tree belongs to the check; names refer to constant declarations for the sake of its other readers.
+    // The checker may change the tree. A NameUse refers to a const declaration only because other code must not change
+    // it.
     auto& own = const_cast<Declaration&>(declaration);
     const bool is_directed = own.direction != Direction::unused;
     const auto* abbreviation = std::get_if<Abbreviation>(&own.form);
@@ -69,18 +70,22 @@ void Checker::use_channel(const Expression& expression, Direction direction) {
 bool Checker::has_items(const Place& place, std::size_t given, std::size_t wanted) {
     if (given == wanted)
         return true;
-    report(place, "the protocol has " + std::to_string(wanted) + " items here, not " + std::to_string(given), "");
+    report(place,
+           "wrong number of items of the protocol: expected " + std::to_string(wanted) + ", found " +
+               std::to_string(given),
+           "");
     return false;
 }
 
-/// Checks that an item is a counted array if the protocol has one here, and the types. Returns false if it is not.
+/// Checks the types of an item, and that it is a counted array if and only if the protocol has one here. Returns false
+/// if only one of them is a counted array.
 bool Checker::has_form(Item& item, const ProtocolItem& wanted, Direction direction) {
     const bool inputs = direction == Direction::input;
     if (!wanted.count != !item.counted_array) {
         report(item.value.at,
                wanted.count
                    ? "the protocol has a counted array here: " + name_of(*wanted.count) + "::" + name_of(*wanted.type)
-                   : "the protocol has no counted array here, but " + name_of(*wanted.type),
+                   : "the protocol has a single item here, not a counted array: " + name_of(*wanted.type),
                !wanted.count ? ""
                : inputs      ? "write the variable of the count, :: and the array"
                              : "write the count, :: and the array");

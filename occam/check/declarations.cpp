@@ -19,7 +19,7 @@ bool are_of_one_list(const Declaration& a, const Declaration& b) {
     return first && second && first->type && first->type == second->type && !first->initial;
 }
 
-/// Returns whether a declaration gives a meaning to its name.
+/// Returns whether a declaration introduces a name. A PLACE, for example, refers to a name that is already declared.
 bool is_named(const Declaration& declaration) {
     return !std::holds_alternative<Placement>(declaration.form) && !std::holds_alternative<Use>(declaration.form) &&
            !std::holds_alternative<ConfigurationPart>(declaration.form);
@@ -106,7 +106,7 @@ void Checker::declare(Declaration& declaration, Abbreviation& abbreviation) {
         declaration.direction = *abbreviation.written_output ? Direction::output : Direction::input;
 }
 
-/// Returns the type of a RETYPES, with the size that an open dimension gets from the value.
+/// Returns the type of a RETYPES. The size of an open dimension follows from the size of the value.
 const Type* Checker::retyped(Declaration& declaration, Retyping& retyping, const Type& from) {
     const Type* const to = retyping.type ? type_of(*retyping.type, Open::allowed) : mistaken();
     if (is_wrong_type(*to) || is_wrong_type(from))
@@ -137,7 +137,7 @@ const Type* Checker::retyped(Declaration& declaration, Retyping& retyping, const
         return to;
     if (*size % *element != 0)
         report(declaration.at,
-               "the " + std::to_string(*size) + " bytes of " + name_of(from) + " are not a whole number of " +
+               name_of(from) + " has " + std::to_string(*size) + " bytes, which is not a multiple of the size of " +
                    name_of(*to->element),
                "");
     return types_.array(to->element, static_cast<std::uint32_t>(*size / *element));
@@ -174,7 +174,7 @@ void Checker::parameters(DeclarationList& list) {
     }
     declare(list);
     for (const DeclarationBox& each : list)
-        if (names[each->name] != each.get()) // its type may be that of another parameter
+        if (names[each->name] != each.get()) // declared twice: its type is probably wrong, too
             each->type = mistaken();
 }
 
@@ -238,8 +238,8 @@ bool Checker::has_values(const Place& place, const std::string& role, std::vecto
     if (given.size() != wanted.size()) {
         if (given.empty() || !is_wrong_type(*given.front()))
             report(place,
-                   "there are " + std::to_string(given.size()) + " values for " + std::to_string(wanted.size()) + " " +
-                       role,
+                   "wrong number of values for the " + role + ": expected " + std::to_string(wanted.size()) +
+                       ", found " + std::to_string(given.size()),
                    "");
         return false;
     }
@@ -287,7 +287,7 @@ void Checker::declare(Declaration& declaration, Protocol& protocol) {
     } else {
         made.items = items_of(protocol.items.items);
         if (made.items.size() != protocol.items.items.size())
-            return; // reported; channels of this protocol are mistaken
+            return; // the error is reported; channels of this protocol have the type `mistaken`
     }
     protocol.meaning = shared_protocol(declaration, std::move(made));
 }
@@ -309,7 +309,7 @@ void Checker::declare(Declaration& declaration, DataType& data) {
 void Checker::declare(Declaration& declaration, Placement& placement) {
     const bool is_whole = placement.paths.size() == 1 && std::holds_alternative<NameUse>(placement.paths[0].form);
     if (placement.where == Placement::Where::arc || !is_whole)
-        return report(declaration.at, "a PLACE of a program takes the name of one variable or channel",
+        return report(declaration.at, "a PLACE in a program takes the name of one variable or channel",
                       "only a configuration can place elements of an array, several channels, or a channel on an arc");
     if (placement.address)
         constant_of_type(*placement.address, basic(Basic::integer), "the address");

@@ -60,7 +60,7 @@ const Type* Checker::check(Expression& expression) {
             expression.form = Conversion{std::move(to), Conversion::Rounding::none, std::move(operand)};
         }
     }
-    expression.constant.reset(); // an index of a configuration may have another value now
+    expression.constant.reset(); // in a configuration, a replicator may have another value at each visit
     const bool several = std::exchange(several_allowed_, false);
     const bool gives_several =
         std::holds_alternative<Call>(expression.form) || std::holds_alternative<ValueProcess>(expression.form);
@@ -74,7 +74,7 @@ const Type* Checker::value(Expression& expression) {
     const Type* const type = check(expression);
     if (is_mistaken(*type) || is_data(*type))
         return type;
-    report(expression.at, name_of(*type) + " has no value", "read it by an input");
+    report(expression.at, name_of(*type) + " has no value", "read a value from it by an input");
     return expression.type = mistaken();
 }
 
@@ -136,14 +136,16 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     return type;
 }
 
-/// Notes that the present routine changes a variable, if it is declared outside of it.
+/// Notes that the present routine changes a variable, if the variable is declared outside of the routine.
 void Checker::assigned(const Declaration* base, const Place& place, const std::string& through) {
     const auto depth = depths_.find(base);
     if (routines_.empty() || (depth != depths_.end() && depth->second >= routines_.size()))
         return;
     Routine& routine = routines_.back();
     if (routine.is_function)
-        report(place, "a function cannot change \"" + base->name + "\", which is declared outside of it" + through,
+        report(place,
+               "the function cannot change \"" + base->name + "\"" + through +
+                   ", because the variable is declared outside of the function",
                "return the value as a result", base);
     else if (std::ranges::find(routine.assigned, base) == routine.assigned.end())
         routine.assigned.push_back(base);
@@ -163,8 +165,9 @@ const Type* Checker::form_of(Expression& expression, NameUse& use) {
     const bool is_outside = program_.is_configuration && !routines_.empty() && depths_[found] == 0 &&
                             std::holds_alternative<Variable>(found->form);
     if (is_outside && found->type && found->type->kind != Type::Kind::timer) {
-        report(expression.at, "a PROC of a configuration cannot use \"" + use.name + "\", which is outside of it",
-               "make it a parameter", found);
+        report(expression.at,
+               "a PROC of a configuration cannot use \"" + use.name + "\", which is declared outside of the PROC",
+               "make it a parameter of the PROC", found);
         return mistaken();
     }
     expression.constant = found->constant;
@@ -195,7 +198,7 @@ const Type* Checker::form_of(Expression& expression, IntegerLiteral& literal) {
     const bool is_pattern = expression.at.column <= line.size() && line[expression.at.column - 1] == '#';
     const Folded folded = integer_value(literal.value, plain(*type).basic, is_pattern, literal.negative_allowed);
     if (folded.error)
-        report(expression.at, "the number " + std::string(folded.error) + " of " + name_of(*type),
+        report(expression.at, "the number " + std::string(folded.error) + " for " + name_of(*type),
                name_of(*type) + " goes up to " + std::to_string(most_positive(plain(*type).basic)));
     else
         expression.constant = Constant{folded.bits, nullptr};
@@ -217,7 +220,7 @@ const Type* Checker::form_of(Expression& expression, RealLiteral& literal) {
     }
     const Folded folded = real_value(literal.digits, plain(*type).basic);
     if (folded.error)
-        report(expression.at, "the number " + std::string(folded.error) + " of " + name_of(*type), "");
+        report(expression.at, "the number " + std::string(folded.error) + " for " + name_of(*type), "");
     else
         expression.constant = Constant{folded.bits, nullptr};
     return type;
@@ -229,7 +232,7 @@ const Type* Checker::form_of(Expression& expression, StringLiteral& literal) {
     return types_.array(basic(Basic::byte), static_cast<std::uint32_t>(literal.bytes.size()));
 }
 
-/// Returns the type of a table of channels; null if the table has none.
+/// Returns the type of a table of channels; null if the table has no channels.
 const Type* Checker::channel_table(TableLiteral& table) {
     const Expression* first = table.elements.data();
     while (const auto* const subscript = first ? std::get_if<Subscript>(&first->form) : nullptr)
@@ -328,7 +331,7 @@ void Checker::check_range(const Expression& at, std::int64_t first, std::int64_t
         return;
     const std::string what = is_segment ? "the segment from " + std::to_string(first) + " for " + std::to_string(count)
                                         : "subscript " + std::to_string(first);
-    report(at.at, what + " is outside of an array of " + std::to_string(size) + " elements",
+    report(at.at, what + " is outside of an array of size " + std::to_string(size),
            "the last element has the subscript " + std::to_string(size - 1));
 }
 
@@ -390,7 +393,7 @@ const Type* Checker::form_of(Expression& expression, Segment& segment) {
     return part;
 }
 
-/// Returns the first of the results of a call. Several are allowed only in an assignment.
+/// Returns the type of a call's first result. A call with several results is allowed only in an assignment.
 const Type* Checker::several(Expression& expression, const std::vector<const Type*>& results) {
     if (results.empty())
         return mistaken();

@@ -43,8 +43,8 @@ bool is_untyped(const Expression& expression) {
     return table && !table->type && std::ranges::all_of(table->elements, is_untyped);
 }
 
-/// Gives literals without a type the type of the surrounding expression, as occam 2.1 does; in occam 2 they are always
-/// INT. Returns whether this was possible.
+/// Gives literals without a type the type of the surrounding expression, as occam 2.1 does; in occam 2 such literals
+/// are always INT. Returns whether this was possible.
 bool Checker::adapt(Expression& expression, const Type& wanted) {
     const Type& type = innermost(wanted);
     if (plain(type).kind != Type::Kind::basic || !is_integer(plain(type).basic) || !is_untyped(expression))

@@ -100,7 +100,7 @@ bool Checker::is_first(const Declaration* declaration, std::string mistake) {
 Declaration* Checker::find(const std::string& name, const Place& place) {
     if (Declaration* const found = names_.find(name)) {
         used_.insert(found);
-        if (!program_.is_configuration) // its statements are checked again at each repetition
+        if (!program_.is_configuration) // the statements of a configuration are checked again at each repetition
             program_.resolved.push_back({place, found});
         return found;
     }

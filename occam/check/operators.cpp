@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Operands that an operator takes.
+/// Lists which operands an operator accepts.
 enum class Operands : std::uint8_t { numbers, integers, truths, ordered, scalars };
 
 struct OperatorTraits {
@@ -18,7 +18,7 @@ struct OperatorTraits {
     bool gives_truth;
 };
 
-/// The operators in the order of Operator.
+/// Describes the operators, in the order of Operator.
 constexpr std::array<OperatorTraits, 27> operator_traits = {{
     {"+", Operands::numbers, false},      {"-", Operands::numbers, false},      {"*", Operands::numbers, false},
     {"/", Operands::numbers, false},      {"\\", Operands::numbers, false},     {"PLUS", Operands::integers, false},
@@ -101,7 +101,7 @@ void Checker::check_count(Expression& expression, const BinaryOperation& shift) 
     const Folded folded = fold(shift.operation, plain(*shift.left->type).basic, 0, shift.right->constant->bits);
     if (folded.error)
         report(expression.at, "the count of this shift is out of range",
-               "the count can be 0 to the number of bits of the shifted value");
+               "the count can be from 0 to the number of bits of the shifted value");
 }
 
 const Type* Checker::form_of(Expression& expression, BinaryOperation& operation) {
@@ -172,7 +172,7 @@ const Type* Checker::form_of(Expression& expression, Conversion& conversion) {
     const Type& target = plain(*to);
     const Type& source = plain(*from);
     if (target.kind != Type::Kind::basic || source.kind != Type::Kind::basic) {
-        if (&target == &source) { // between a DATA TYPE and the array or record that it is
+        if (&target == &source) { // conversion between a DATA TYPE and the array or record from which it is derived
             expression.constant = conversion.operand->constant;
             return to;
         }

@@ -10,8 +10,8 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::int64_t most_components = 65536; ///< of a replicated PAR that are compared
-constexpr std::size_t most_outer_values = 256;  ///< of replicators around a PAR
+constexpr std::int64_t most_components = 65536; ///< largest number of components of a replicated PAR that are compared
+constexpr std::size_t most_outer_values = 256;  ///< largest number of values tried for the replicators around a PAR
 constexpr std::size_t most_inner_values = 65536;
 
 bool is_conflict(AccessKind a, AccessKind b) {
@@ -35,10 +35,11 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
     if (later.kind == AccessKind::input || later.kind == AccessKind::output) {
         const bool is_output = later.kind == AccessKind::output;
         message = "two components of a PAR " + std::string(is_output ? "output to " : "input from ") + name + through;
-        hint = "a channel joins two processes: use one for each pair";
+        hint = "a channel joins two processes: use one channel for each pair of processes";
     } else {
-        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + ", which another component " +
-                  verb(earlier.kind) + through;
+        message = "a component of a PAR " + std::string(verb(later.kind)) + " " + name + through +
+                  (through.empty() ? ", which another component " : "; another component ") + verb(earlier.kind) +
+                  (through.empty() ? "" : " it");
         hint = "send the value over a channel, or use a variable for each component";
     }
     std::vector<SecondPlace> others;
@@ -47,7 +48,7 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
     reporter_.error(program_.location(later.at), message, hint, std::move(others));
 }
 
-/// Finds two intervals of different components that meet and conflict. Returns whether it found none.
+/// Reports the first two intervals of different components that overlap and conflict. Returns true if there are none.
 bool UsageCheck::check_intervals(std::vector<Interval>& intervals) {
     const auto begins_earlier = [](const Interval& a, const Interval& b) { return a.region.first < b.region.first; };
     std::ranges::stable_sort(intervals, begins_earlier);

@@ -11,12 +11,12 @@ namespace {
 
 struct PredefinedTraits {
     std::string_view name;
-    std::string_view parameters, results; ///< a letter a type, see Checker::predefined
-    bool is_double = false;               ///< it also exists with D in front, for REAL64
+    std::string_view parameters, results; ///< one letter for each type; see predefined_traits
+    bool is_double = false;               ///< the routine also exists for REAL64, with D in front of the name
 };
 
-/// The routines of the language, with the types of parameters and results: i INT, j INT32, b BOOL, r REAL32 (REAL64 of
-/// the form with D), d REAL64, s VAL [][]BYTE, S [][]BYTE that is written to.
+/// The predefined routines of the language. Letters give the types of parameters and results: i INT, j INT32, b BOOL, r
+/// REAL32 (REAL64 if the name has D in front), d REAL64, s VAL [][]BYTE, S [][]BYTE passed by reference.
 constexpr std::array<PredefinedTraits, 51> predefined_traits = {{
     {"LONGADD", "iii", "i"},
     {"LONGSUM", "iii", "ii"},
@@ -83,7 +83,7 @@ const Type* type_of_letter(Types& types, char letter, bool is_double) {
     }
 }
 
-/// Returns the form of a predefined routine with this name.
+/// Returns the predefined routine of this name; nothing if there is none.
 std::optional<Predefined> predefined_form(Types& types, std::string_view name) {
     for (const std::string_view each : without_parameters) {
         if (each == name)

@@ -129,7 +129,7 @@ void Checker::form_of(Process&, Case& selection) {
     const Option* otherwise = nullptr;
     for (Option& option : selection.options) {
         if (option.values.empty() && otherwise)
-            report(option.at, "this CASE has two ELSE", "",
+            report(option.at, "this CASE has two ELSE options", "",
                    {{"the first ELSE is here", program_.location(otherwise->at)}});
         if (option.values.empty())
             otherwise = &option;

@@ -10,9 +10,9 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The assumed number of elements of an array of unknown size.
+/// The number of elements that we assume for an array of unknown size.
 constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
-constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< sums and products of subscripts stay below
+constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< limit for sums and products of subscripts
 constexpr std::size_t most_comparisons = 65536;
 
 /// Returns the number of single values in a variable.
@@ -123,7 +123,8 @@ public:
     }
 
 private:
-    /// VAL abbreviations that name each other twice double the steps.
+    /// Limits the steps of one evaluation. In a chain of VAL abbreviations where each uses the previous one twice, each
+    /// doubles the steps.
     static constexpr std::size_t most_steps = 1000;
 
     std::optional<std::int64_t> value_in(const BinaryOperation& operation) {

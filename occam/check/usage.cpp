@@ -242,7 +242,7 @@ void UsageCheck::visit_values(const ValueProcess& process) {
 void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList& parameters,
                                const ValueProcess* function, const Process* body) {
     std::vector<Active> outer;
-    outer.swap(active_); // the body is checked where the routine is called
+    outer.swap(active_); // the abbreviations around a routine are compared with its accesses at each call
     const std::size_t first = log_.size();
     const std::uint64_t since = clock_ + 1;
     declare(parameters);
@@ -254,8 +254,9 @@ void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList
     log_.resize(first);
 }
 
-/// Returns the accesses after a place of the log to variables declared before a time, each kind of access once, as they
-/// are named outside of the scope.
+/// Returns the accesses in the log from position `first` to variables that were declared before the time `since`. Equal
+/// accesses are returned once. If an access uses an abbreviation from inside the scope, it is returned with the name
+/// that is valid outside.
 std::vector<Access> UsageCheck::outside_accesses(std::size_t first, std::uint64_t since) const {
     std::vector<Access> accesses;
     std::set<std::tuple<const Declaration*, const Declaration*, AccessKind, std::vector<const void*>>> seen;

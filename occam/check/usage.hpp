@@ -13,18 +13,20 @@
 
 namespace placedpar::occam {
 
-/// The rules about several names and several processes that use one variable or channel, for a program whose names and
-/// types are right:
+/// Checks two rules about variables and channels that have several names or are used by several processes. REQUIRES:
+/// the program's names and types were checked without errors.
 ///
-/// - Parallel usage. A component of a PAR does not use variables that another component changes. Of each channel, one
-///   component uses the output end and one the input end. Elements are distinguished by subscripts that depend on
-///   constants and on replicators of known base and count; each value of the replicators is tried, up to a limit.
-/// - Aliases. While a variable has another name by an abbreviation, only that name is used; variables that a VAL
-///   abbreviation reads are not changed; parameters by reference do not overlap with others or with variables that the
-///   PROC itself uses.
+/// - Parallel usage. A component of a PAR must not use variables that another component changes. Only one component may
+///   output to a channel, and only one may input from it. Elements of arrays are distinguished if their subscripts
+///   depend only on constants and on replicators with constant base and count: each value of the replicators is tried,
+///   up to a limit.
+/// - Aliases. Within the scope of an abbreviation, only the abbreviation's name may be used for the variable. Variables
+///   in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap with
+///   another parameter, or with a variable that the PROC itself uses.
 ///
-/// The program is visited once. The visit keeps a log of accesses; a component of a PAR is a stretch of the log. A call
-/// adds the routine's accesses to variables outside of it.
+/// The program is visited once. The visit keeps a log of accesses. The accesses of a component of a PAR are a stretch
+/// of the log. For each call, the log also gets the accesses that the routine makes to
+/// variables declared outside of it.
 class UsageCheck {
 public:
     UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
@@ -33,17 +35,18 @@ public:
 
 private:
     using DeclarationList = std::vector<DeclarationBox>;
-    /// A stretch of the log.
+    /// Holds consecutive positions in the log: from `first` to the one before `end`.
     struct Stretch {
         std::size_t first = 0, end = 0;
     };
-    /// An abbreviation in whose scope the present place is.
+    /// Describes an abbreviation whose scope contains the place of the visit.
     struct Active {
         const Declaration* declaration = nullptr;
         Access access;
-        bool is_changeable = false; ///< true if the abbreviation names the accessed variable; false if it only reads it
+        bool is_changeable =
+            false; ///< true if the abbreviation names the accessed variable; false if it only reads the variable
     };
-    /// The accesses of an argument, or of a target of an assignment.
+    /// Holds the accesses of an argument, or of a target of an assignment.
     struct Part {
         std::optional<Access> changed;
         std::vector<Access> read;
@@ -123,7 +126,7 @@ private:
     std::unordered_set<const Declaration*> open_indices_; ///< indices of the replicators around the present place
     std::vector<Access> log_;
     std::vector<Active> active_;
-    std::uint64_t clock_ = 0; ///< counts declarations
+    std::uint64_t clock_ = 0; ///< number of declarations visited so far
     std::unordered_map<const Declaration*, std::uint64_t> declared_;
     std::unordered_map<const Declaration*, std::vector<Access>>
         summaries_; ///< accesses of each routine to variables outside of it

@@ -30,7 +30,7 @@ bool add_steps(const Expression& expression, std::vector<PathStep>& steps, const
     return true;
 }
 
-/// Replaces an abbreviated root by the variable that it names.
+/// If the root is an abbreviation, replaces it by the variable that the abbreviation names.
 void resolve(Access& access) {
     while (const auto* abbreviation = std::get_if<Abbreviation>(&access.base->form)) {
         std::vector<PathStep> steps;

@@ -130,7 +130,7 @@ void Generator::disable(const Alternative& a, Nest& nest) {
     }
     nest.branches.push_back({&a, emitter_.new_label(), nest.chosen, nest.around});
     load_guard(a);
-    frame_->need_low(1); // all of these words stay as they are until altend
+    frame_->need_low(1); // word 0 holds the chosen branch until altend, so no variable of the alternation may be there
     emitter_.difference(nest.branches.back().label, nest.after);
     op(std::holds_alternative<Delay>(a.guard) ? Operation::dist : guard_channel(a) ? Operation::disc : Operation::diss);
     stack_ = 1;

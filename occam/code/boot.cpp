@@ -9,8 +9,9 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The loader reads the code that follows it, and jumps to it. The numbers before it are offsets from the start of
-/// memory. The workspace of the program may cover the loader, which is no longer needed then.
+/// The loader reads the code that follows the loader in the file, and jumps to the code. The numbers at its beginning
+/// are offsets from the start of memory. The workspace of the program may cover the loader, which is then no longer
+/// needed.
 constexpr const char* loader = R"(
         ajw 4                           -- instructions use words below the workspace
         stl 0; stl 0; stl 1             -- A and B are not needed; C is the link
@@ -27,7 +28,7 @@ cleared:
         mint; ldnlp start; adc offset; gcall
 )";
 
-/// Returns the source of the loader. If `is_there`, the code is in the memory already.
+/// Returns the source of the loader. `is_there`: the code is already in the memory.
 std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
                           transputer::Word workspace, bool is_there) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
@@ -43,13 +44,14 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
 
 /// Lays out the workspace, which may cover the loader, and the code after it.
 transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
-    constexpr transputer::Word bytes_beside = 44; // words for its instructions and its variables
+    constexpr transputer::Word bytes_beside = 44; // words that the loader's instructions and variables use
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
     transputer::Image image;
     image.code = code.bytes;
-    // The length of the loader depends on the numbers in it.
+    // The loader contains the address of the code, which depends on the loader's length. Repeats until the length no
+    // longer changes.
     for (std::size_t length = 1; image.start.size() != length;) {
         length = image.start.size();
         image.offset = start + std::max(needed, static_cast<transputer::Word>(length) + bytes_beside);

@@ -14,7 +14,7 @@ void Generator::declare_routine(const Declaration& d) {
     routines_[&d] = std::move(routine);
 }
 
-/// Returns a procedure or function with its code, which is made at the first call.
+/// Returns the Routine of a procedure or function. The first call for a declaration makes its code.
 Generator::Routine& Generator::routine_of(const Declaration& d) {
     Routine& routine = *routines_.at(&d);
     if (!routine.level) {
@@ -197,7 +197,7 @@ void Generator::add_pointer(Arguments& words, Storage location, const Type& para
     }
 }
 
-/// Loads the hidden and the other arguments, the first three into registers, and calls.
+/// Loads the hidden arguments and the other arguments, the first three into registers, and calls the routine.
 void Generator::call_with(Routine& routine, Arguments words) {
     const Level& level = *routine.level;
     const std::int64_t vector_now = level_->vector_now;
@@ -241,7 +241,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(low); // also against temporaries of the words that were loaded last
+        frame_->need_low(low); // loading the last words may have made temporaries, which must not be here either
     call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);
@@ -250,10 +250,11 @@ void Generator::call_with(Routine& routine, Arguments words) {
 }
 
 /// Returns by how many words the workspace is moved for a call with `low` words of arguments in memory. Between alt and
-/// altend the words below it hold the state of the alternation, over which a call would write.
+/// altend, the words below the workspace hold the state of the alternation. A call without this move would overwrite
+/// them.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-/// `errors` is the meaning of the routine's errors, if they are reported at its call.
+/// `errors`: meaning of the routine's errors, if they are reported at the call; otherwise "".
 void Generator::call_moved(Label entry, int moved, const std::string& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);

@@ -30,43 +30,45 @@ struct CodeLine {
     std::uint32_t offset = 0;
     Place place;
 };
-/// A name of code: the entry of a procedure, or of a component of a PAR.
+/// Names the code that begins at an offset: a procedure, or a component of a PAR.
 struct CodeName {
     std::uint32_t offset = 0;
     std::string name; ///< such as "phil" or "phil/PAR 12:3"
 };
 
-/// The meaning of an error of the instruction that ends at an offset: a text for transputer::print_error().
+/// States what an error of the instruction that ends at `offset` means: `text` is a text for transputer::print_error().
 struct CodeError {
     std::uint32_t offset = 0;
     std::string text;
 };
 
-/// Where the workspace pointer of a process can be, including the procedures that it calls. The words count from the
-/// first workspace pointer, and are below it.
+/// Describes the workspace of a process, including the procedures that it calls: its workspace pointer is from `from`
+/// to before `until`. These words are below the first workspace pointer of the program, and count from it.
 struct CodeWorkspace {
     /// The number of the process that starts the outermost components.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
 
     std::int64_t from = 0, until = 0;
-    /// A name such as "phil[2]", or the process's place. If several processes have the same name, the place is added.
-    /// Processes that use the same words one after the other share a name: "reader or writer".
+    /// A name such as "phil[2]", or the process's place in the source. If several processes have the same name, the
+    /// place is added to the name. If processes use the same words one after the other, the workspace has the names of
+    /// all: "reader or writer".
     std::string name;
     std::string inner = {}; ///< name within the outermost component, "fork[1]" if `name` is "ring/fork[1]"; "" for the
                             ///< outermost component itself
     std::size_t outermost = 0; ///< number of the outermost component, in the order of the text
-    std::string entry = {};    ///< name of the code of the process, among Code::names; "" of a replicated one
-    bool carries = false;      ///< it carries messages of other processes; the compiler does not know
+    std::string entry = {};    ///< name of the process's code in Code::names; "" for a component of a replicated PAR
+    bool carries = false;      ///< it carries messages of other processes; not set by the compiler
 };
 
-/// A channel that the main procedure declares outside of its process.
+/// Describes a channel that the main procedure declares before its process.
 struct CodeChannel {
-    std::int64_t word = 0;  ///< from the first workspace pointer, or from the start of memory if it is placed
-    bool is_placed = false; ///< it is placed at an address
+    std::int64_t word = 0;  ///< word of the channel, counted from the first workspace pointer, or from the start of
+                            ///< memory if the channel is placed
+    bool is_placed = false; ///< a PLACE states the channel's address
     std::string name;
 };
 
-/// Position-independent code of a program.
+/// Holds the position-independent code of a program.
 struct Code {
     std::vector<std::uint8_t> bytes;
     std::uint32_t entry = 0;                 ///< offset of the first instruction, which needs no values in registers

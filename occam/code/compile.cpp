@@ -83,7 +83,7 @@ Code Generator::generate(const Declaration& main) {
     return code;
 }
 
-/// `base`: the workspace pointer of the procedure, in words from the first one.
+/// `base`: the workspace pointer of the procedure, in words from the first workspace pointer of the program.
 std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, std::int64_t base) const {
     std::vector<CodeChannel> channels;
     const auto* const scope = std::get_if<Scope>(&std::get<Procedure>(main.form).body->form);
@@ -98,7 +98,7 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
     return channels;
 }
 
-/// Sends the request to the host that ends a run with success, as so.exit does.
+/// Sends the host the request that ends a run with success, as so.exit does.
 void Generator::end_run() {
     constexpr std::array<std::uint8_t, 10> request = {8, 0, 35, 0xff, 0xc9, 0x9a, 0x3b, 0, 0, 0}; // 999999999
     address({.base = Storage::Base::constant, .label = emitter_.constant(request, true), .type = basic(Basic::byte)});
@@ -124,8 +124,8 @@ void Generator::add_main_argument(Arguments& words, const Declaration& parameter
                          }});
         words.push_back({1, [this] { constant(bytes_of_free_memory / 4); }});
     } else {
-        refuse(parameter.at, "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), or (CHAN "
-                             "OF SP fs, ts, []INT memory)");
+        refuse(parameter.at, "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), (CHAN OF "
+                             "SP fs, ts, []INT memory), or (CHAN OF BYTE keyboard, screen, error)");
     }
 }
 

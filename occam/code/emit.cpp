@@ -19,7 +19,7 @@ std::uint8_t function_code(Operation operation) {
     return static_cast<std::uint8_t>(transputer::description_of(operation).code);
 }
 
-/// Lays out code: finds the lengths and offsets of all elements.
+/// Lays out code: computes the lengths and offsets of all elements.
 class CodeLayout {
 public:
     CodeLayout(std::vector<CodeElement> elements, Label labels)
@@ -162,7 +162,7 @@ void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& curr
     errors_.push_back({std::move(text), std::move(cells), &current});
 }
 
-/// Writes the place of each cell after its letter, in words from the workspace pointer.
+/// Returns the text with the position of each cell after the letter of the cell, in words from the workspace pointer.
 std::string Emitter::ErrorMeaning::with_offsets() const {
     std::string result = text;
     std::size_t at = 0;

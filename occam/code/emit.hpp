@@ -13,25 +13,25 @@
 
 namespace placedpar::occam {
 
-/// One element of code that is not laid out yet.
+/// Describes one element of code whose address is not known yet.
 struct CodeElement {
     enum class Kind : std::uint8_t {
-        number,     ///< a function with the operand `value`
+        number,     ///< an instruction with the operand `value`
         cell,       ///< operand: `value` plus the words from the workspace pointer of `frame` to `cell`
         remote,     ///< operand: `value` plus the words from the start of the procedure's frame to `cell`
         words,      ///< operand: `value` times the words of the frame
         branch,     ///< operand: the distance to `to`
         difference, ///< operand: bytes from `from` to `to`, plus `value`
         mark,       ///< the label `to`
-        align,      ///< up to the next whole word
+        align,      ///< padding up to the next whole word
         data,       ///< `value` bytes
-        line,       ///< code for a place begins
-        error,      ///< the instruction before it can fail: the error number `value`
-        name        ///< code with the name number `value` begins
+        line,       ///< the code for a place in the source begins
+        error,      ///< the preceding instruction can fail, with the error number `value`
+        name        ///< the code with the name number `value` begins
     };
     Kind kind = Kind::number;
-    std::uint8_t least = 1;    ///< bytes of the instruction
-    std::uint8_t function = 0; ///< a direct function; 15 for operations, whose code is the operand
+    std::uint8_t least = 1;    ///< smallest number of bytes of the instruction
+    std::uint8_t function = 0; ///< a direct function; 15 (opr) for an operation, whose code is the operand
     std::int64_t value = 0;
     Cell cell = {};
     const Frame* frame = nullptr;
@@ -41,7 +41,7 @@ struct CodeElement {
 
 using CodeBuffer = std::vector<CodeElement>;
 
-/// The label of the first word behind code and constants.
+/// The label of the first word after code and constants.
 inline constexpr Label end_of_code = 0;
 
 /// Collects code in buffers, and converts it to bytes.
@@ -59,7 +59,7 @@ public:
     void put_remote(Operation, const Cell&, int words = 0);
     void put_words(Operation, const Frame&, int factor);
     void branch(Operation, Label, std::uint8_t least_bytes = 1);
-    /// Loads the distance of two labels.
+    /// Loads the distance from label `from` to label `to`, plus `more`, in bytes.
     void difference(Label to, Label from, std::int64_t more = 0);
     /// Loads the address of a label.
     void address(Label);
@@ -67,8 +67,8 @@ public:
     void line(const Place&);
     void name(std::string);
     /// States the meaning of an error of the preceding instruction, in the form that transputer::print_error() reads.
-    /// Each {w} or {l} in the text stands for the word, or the INT64, in one of these cells. REQUIRES: the cells are of
-    /// the level of `current`.
+    /// In the text, {w} stands for the word in the next of these cells, and {l} for the INT64. REQUIRES: the cells
+    /// belong to the level of `current`.
     void error(std::string text, std::vector<Cell> cells, const Frame& current);
     /// Returns the label of constant bytes, which are stored after the code.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
@@ -93,7 +93,7 @@ private:
     std::vector<std::string> names_;
     std::vector<ErrorMeaning> errors_;
     std::vector<ConstantBytes> constants_;
-    std::unordered_map<std::string, std::size_t> constant_of_; ///< looked up only
+    std::unordered_map<std::string, std::size_t> constant_of_; ///< for look-up only; never iterated
 };
 
 /// Returns whether an instruction may set the flag Error, depending on computed values.

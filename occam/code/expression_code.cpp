@@ -62,7 +62,8 @@ int Generator::depth_of_binary(const BinaryOperation& operation) const {
     return std::max(both, size_of(type) == 4 ? 2 : 3);
 }
 
-/// Loads two words, the right one on top. `more` is the number of registers that are needed besides the right word's.
+/// Loads two words, the right one on top. `more` is the number of registers that are needed in addition to those for
+/// the right word.
 void Generator::operands(const Expression& left, const Expression& right, bool commutes, int more) {
     const int left_depth = depth_of(left), right_depth = std::max(depth_of(right), 1 + more);
     const bool left_first = left_depth <= registers() && right_depth + 1 <= registers();
@@ -114,7 +115,7 @@ void Generator::binary(const BinaryOperation& operation) {
     fit(type, !wraps);
 }
 
-/// Adds or subtracts a constant by adc, if the operation is one of these.
+/// If the operation adds or subtracts a constant, generates an adc and returns true.
 bool Generator::arithmetic_with_constant(const BinaryOperation& operation) {
     const auto left = constant_of(*operation.left), right = constant_of(*operation.right);
     const bool adds = operation.operation == Operator::add, subtracts = operation.operation == Operator::subtract;

@@ -50,7 +50,7 @@ void Frame::order_by_use() {
     int first_free = 0;
     for (const Block& block : blocks) {
         if (block.use == 0)
-            break; // nothing names these words
+            break; // no code uses the words of this block or of the following blocks
         const auto is_free = [&](int place) {
             for (int i = 0; i < block.words; ++i)
                 if (taken[static_cast<std::size_t>(place + i)])
@@ -72,7 +72,7 @@ void Frame::order_by_use() {
 
 namespace {
 
-/// Computes what a frame and all frames below it need, from the innermost on.
+/// Computes the sizes of a frame and of all frames below it, the innermost first.
 void size_up(Frame& frame) {
     frame.order_by_use();
     for (const std::vector<Frame*>& components : frame.parallels) {

@@ -33,7 +33,7 @@ void Generator::op(Operation operation, std::int64_t operand) {
 
 namespace {
 
-/// Returns the digits of a constant that ldc needs, with prefixes.
+/// Returns the number of bytes of an ldc with its prefixes: one for each hexadecimal digit of the constant.
 int digits_of(std::int64_t value) {
     const auto word = static_cast<std::int32_t>(value);
     return static_cast<int>(

@@ -14,20 +14,20 @@
 
 namespace placedpar::occam {
 
-/// The elements of a dimension: a constant, or a word that has the count.
+/// Holds the number of elements of a dimension: a constant, or the word that holds the number at run time.
 struct Extent {
     std::optional<std::int64_t> constant = {};
     Cell cell = {};
 };
 
-/// Where a value is, as far as the compiler knows. If `has_index`, the code so far has left an index on the register
-/// stack; it counts values of the type. If the base is `computed`, the code has left an address there.
+/// Says where a value is. If `has_index`, the code so far has left an index on the register stack, in units of the
+/// type's size. If the base is `computed`, the code has left an address on the register stack.
 struct Storage {
     enum class Base : std::uint8_t {
-        cell,     ///< in the workspace
-        pointer,  ///< its address is in `cell`
-        absolute, ///< `offset` counts from the start of memory
-        constant, ///< after the code, at `label`
+        cell,     ///< the value is in the workspace, in `cell`
+        pointer,  ///< the value's address is in `cell`
+        absolute, ///< the value is at `offset` from the start of memory
+        constant, ///< the value is among the constants after the code, at `label`
         computed
     };
     Base base = Base::cell;
@@ -37,12 +37,12 @@ struct Storage {
     const Type* type = nullptr;
     std::vector<Extent> extents = {}; ///< sizes of the type's open dimensions
     bool has_index = false;
-    bool is_scalar = false; ///< a whole word of the workspace holds the value, which is shorter
+    bool is_scalar = false; ///< the type is shorter than a word, but the value occupies a whole word of the workspace
 
     bool is_static() const { return !has_index && base != Base::computed; }
 };
 
-/// The values that an index of constant base and count takes.
+/// Holds the least and the greatest value of an index with constant base and count.
 struct Range {
     std::int64_t least, most;
 };
@@ -51,7 +51,7 @@ struct Range {
 /// source file.
 ///
 /// A statement begins with an empty register stack. An expression may be evaluated with values on the stack if
-/// depth_of() says that the free registers suffice; otherwise its user first saves what must be kept.
+/// depth_of() says that the free registers suffice; otherwise the caller first saves these values.
 class Generator {
 public:
     using Operation = transputer::Operation;
@@ -60,15 +60,15 @@ public:
     Code generate(const Declaration& main);
 
 private:
-    /// A procedure or function. Its level and its code are made at the first call.
+    /// Describes a procedure or function. Its level and its code are made at the first call.
     struct Routine {
         Level* outer = nullptr; ///< level in which it is declared; null outside of all procedures
         std::string path;       ///< path of its declaration, ending in a slash
         Level* level = nullptr;
         Label entry = 0;
-        std::string errors = {}; ///< meaning of the errors of a routine of predef.lib, which are reported at its call
+        std::string errors = {}; ///< for a routine of predef.lib: meaning of its errors, which are reported at the call
     };
-    /// Sets a variable back at the end of a scope.
+    /// Restores the value of a variable at the end of a scope.
     template <typename T>
     class Kept {
     public:
@@ -92,7 +92,7 @@ private:
     void store(const Cell&);
     void load_address(const Cell&);
     void load_frame_of(const Level&);
-    /// Loads a count of elements plus a constant.
+    /// Loads the number of elements, plus `more`.
     void load_extent(const Extent&, std::int64_t more = 0);
     void jump(Label);
     void jump_if_false(Label);
@@ -103,8 +103,8 @@ private:
     bool has_reals() const { return (transputer::only(options_.model) & transputer::with_reals) != 0; }
     void settle();
     void clear_error();
-    /// States the meaning of an error of the last instruction. Each {w} or {l} stands for the value in one of the
-    /// cells.
+    /// States what an error of the last instruction means. In `meaning`, {w} stands for the word in the next of the
+    /// cells, and {l} for the INT64.
     void fails(std::string meaning, std::vector<Cell> cells = {});
     void stop_here(const std::string& why, const std::vector<Cell>& cells = {});
     void loop(const Cell& control, Label start, const std::function<void()>& body);
@@ -122,15 +122,15 @@ private:
 
     // location_code.cpp
     static const Type& plain(const Type&);
-    bool is_word(const Type&) const;  ///< a value for the register stack, also a REAL32 for routines
+    bool is_word(const Type&) const; ///< the value fits on the register stack; also a REAL32, if routines compute reals
     static bool is_wide(const Type&); ///< INT64 or REAL64
-    bool is_real(const Type&) const;  ///< a value for the floating-point unit
+    bool is_real(const Type&) const;  ///< the value belongs on the stack of the floating-point unit
     static bool has_real_type(const Type&);
     static bool is_compound(const Type& type) {
         return type.kind == Type::Kind::array || type.kind == Type::Kind::record;
     }
     static bool is_channel(const Type&);
-    static std::int64_t size_of(const Type&); ///< bytes in memory; of channels the pointer
+    static std::int64_t size_of(const Type&); ///< bytes in memory; for a channel, the bytes of the pointer
     static std::optional<std::int64_t> fixed_size(const Type&);
     static std::optional<std::int64_t> fixed_bytes(const Storage&);
     Extent outer_extent(const Storage&) const;
@@ -183,7 +183,7 @@ private:
     void conversion(const Expression&, const Conversion&);
     void size_of_array(const Expression&);
     void condition(const Expression&, Label if_false);
-    /// Loads up to three words, the last on top.
+    /// Evaluates up to three words, and leaves the last on top of the register stack.
     void push(const std::vector<const Expression*>&);
     void value_process(const ValueProcess&, const std::function<void()>& results);
 
@@ -236,8 +236,8 @@ private:
     struct RealRoutine {
         std::string name;
         std::vector<const Expression*> operands;
-        std::optional<int> mode = {}; ///< mode of rounding, the last argument of a conversion
-        bool negated = false;         ///< its result must be inverted
+        std::optional<int> mode = {}; ///< mode of rounding: the last argument of a routine for a conversion
+        bool negated = false;         ///< the routine's result must be inverted
     };
     void declare_library();
     const Declaration& library_routine(const Place&, const std::string& name) const;
@@ -260,12 +260,12 @@ private:
     void sequence(const Sequence&);
     void replicated(const Replicator&, const std::function<void()>& body);
     Cell begin_replication(const Replicator&, Label end);
-    /// Return whether one of the choices is always taken.
+    /// These two functions return whether one of the choices is always taken.
     bool choices(const If&, Label done, bool is_last);
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
-    /// The value of a CASE, as a message writes it (fails()).
+    /// Holds the value of a CASE in the form that fails() takes.
     struct Selected {
         std::string text;
         std::vector<Cell> cells;
@@ -323,18 +323,19 @@ private:
     void delay(const Delay&);
 
     // alternation_code.cpp
-    /// A guard that was chosen: where its code begins, and what it executes.
+    /// Describes the code that follows when a guard is chosen: where the code begins, and which process it executes.
     struct Branch {
         const Alternative* alternative;
         Label label;
-        std::vector<std::pair<const Declaration*, Cell>> indices; ///< indices of the replicators around it
-        std::vector<const Alternative*> around;                   ///< the ALTs that it is in, the outermost first
+        std::vector<std::pair<const Declaration*, Cell>> indices; ///< indices of the replicators around the guard
+        std::vector<const Alternative*> around;                   ///< the ALTs around the guard, the outermost first
     };
     struct Nest {
-        std::unordered_map<const Declaration*, Cell> kept = {};       ///< index of each replicator of the chosen guard
-        std::vector<std::pair<const Declaration*, Cell>> chosen = {}; ///< indices of the replicators around it
-        std::vector<const Alternative*> around = {};                  ///< the ALTs that are being disabled
-        Label after = 0;                                              ///< label after altend
+        std::unordered_map<const Declaration*, Cell> kept = {}; ///< index of each replicator of the chosen guard
+        std::vector<std::pair<const Declaration*, Cell>> chosen =
+            {};                                      ///< indices of the replicators around the chosen guard
+        std::vector<const Alternative*> around = {}; ///< the ALTs that are being disabled
+        Label after = 0;                             ///< label after the instruction altend
         std::vector<Branch> branches = {};
     };
     void alternation(const Alternation&);
@@ -383,21 +384,21 @@ private:
     Emitter emitter_;
     std::list<CodeBuffer> buffers_;
     std::list<Level> levels_;
-    std::unordered_map<const Declaration*, Storage> bindings_; ///< looked up only
+    std::unordered_map<const Declaration*, Storage> bindings_; ///< for look-up only; never iterated
     const Declaration* main_ = nullptr;
-    bool is_main_ = false;    ///< the code is that of the main procedure itself
-    bool is_library_ = false; ///< the code is that of a routine of predef.lib
+    bool is_main_ = false;    ///< the present code belongs to the main procedure itself
+    bool is_library_ = false; ///< the present code belongs to a routine of predef.lib
     std::unordered_map<const Declaration*, Range> ranges_;
     std::unordered_map<const Declaration*, std::unique_ptr<Routine>> routines_;
     std::deque<Type> arrays_; ///< types of segments and of words for channels
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
-    double weight_ = 1;               ///< how often code is executed, roughly
+    double weight_ = 1;               ///< rough estimate of how often the present code is executed
     std::string path_;                ///< name of the enclosing code, ending in a slash
-    std::uint32_t line_ = 0;          ///< line of the statement
+    std::uint32_t line_ = 0;          ///< line of the present statement
     int stack_ = 0;                   ///< words on the register stack
     int reals_ = 0;                   ///< values on the stack of the floating-point unit
-    bool guards_are_enabled_ = false; ///< the code is between alt and altend
+    bool guards_are_enabled_ = false; ///< the present code is between the instructions alt and altend
     bool checked_ = false;            ///< an instruction since the last settle() may have set Error
 };
 

@@ -37,7 +37,7 @@ std::int64_t Generator::size_of(const Type& given) {
     if (type.kind == Type::Kind::channel || type.kind == Type::Kind::timer)
         return 4;
     if (type.kind == Type::Kind::array) {
-        constexpr std::int64_t most = std::int64_t{1} << 40; // more than any memory has
+        constexpr std::int64_t most = std::int64_t{1} << 40; // more bytes than any memory has
         const std::int64_t element = size_of(*type.element), count = type.count.value_or(1);
         return count == 0 ? 0 : element > most / count ? most : count * element;
     }

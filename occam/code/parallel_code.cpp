@@ -104,8 +104,8 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     level_->vector_most = std::max(level_->vector_most, most);
 }
 
-/// The component of high priority is started; the process itself becomes the component of low priority. The component
-/// that ends last continues after the PAR, and must then have low priority.
+/// Starts the component of high priority; the process itself becomes the component of low priority. The component that
+/// ends last continues after the PAR, and must then run at low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, is_main_ && !options_.awaits_high ? 1 : 2);
@@ -136,8 +136,8 @@ void Generator::priority_parallel(const Parallel& each) {
     clear_error();
 }
 
-/// The address of each component's workspace is known only at run time. It finds the variables around it by a static
-/// link.
+/// The addresses of the components' workspaces are known only at run time. A component finds the variables around the
+/// PAR by a static link.
 void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     const Replicator& replicator = *each.replicator;
     const auto components = constant_of(replicator.count);

@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::size_t longest_path = 200; // that the table allows
+constexpr std::size_t longest_path = 200; // the longest path that the table allows
 
 /// Returns the path of a file, or its last part if the path is too long.
 std::string_view path_in_table(const SourceFile& file) {

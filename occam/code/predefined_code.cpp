@@ -10,7 +10,7 @@ using transputer::Operation;
 
 namespace {
 
-/// A predefined function that is one instruction on words.
+/// Describes a predefined function that is one instruction on words.
 struct WordFunction {
     std::string_view name;
     Operation operation;

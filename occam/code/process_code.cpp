@@ -76,7 +76,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     real_store(first ? pointer : locate(target));
 }
 
-/// Returns whether a REAL32 is copied as a word, since nothing is computed.
+/// Returns whether the value is a REAL32 that is not computed, and so can be copied as a word.
 bool Generator::is_bits(const Expression& value) const {
     return size_of(*value.type) == 4 && is_real(*value.type) &&
            (constant_of(value) || std::holds_alternative<NameUse>(value.form) ||
@@ -235,7 +235,7 @@ void Generator::sequence(const Sequence& s) {
         process(each);
 }
 
-/// Sets index and count, two words. Goes to the end if the count is 0.
+/// Sets the two words of index and count. Jumps to `end` if the count is 0.
 Cell Generator::begin_replication(const Replicator& r, Label end) {
     const Cell control = temporary(2);
     const auto base = constant_of(r.base), count_of = constant_of(r.count);
@@ -343,7 +343,7 @@ void Generator::repetition(const While& w) {
 
 namespace {
 
-/// An entry of a table of jumps reaches 32 Kbyte.
+/// The size of an entry in a table of jumps. A jump of this size reaches 32 Kbyte.
 constexpr std::uint8_t bytes_of_jump = 4;
 
 } // namespace
@@ -397,7 +397,7 @@ Generator::Selected Generator::go_to_target(const Expression& value, const Targe
     return {"{w}", {selector}};
 }
 
-/// Goes to the target of an INT64.
+/// Jumps to the target for an INT64.
 Generator::Selected Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
     for (const auto& [value, label] : targets) {
         stack_ = 0;
@@ -414,7 +414,7 @@ Generator::Selected Generator::select_wide(const Wide& selector, const Targets& 
     return selector.constant ? Selected{std::to_string(*selector.constant), {}} : Selected{"{l}", {selector.cell}};
 }
 
-/// Goes to the target of a value, by a binary search.
+/// Jumps to the target for a value, by a binary search.
 void Generator::select(const Cell& selector, std::span<const Targets::value_type> targets, Label otherwise) {
     if (targets.size() > 3) {
         const auto half = targets.size() / 2;
@@ -437,7 +437,7 @@ void Generator::select(const Cell& selector, std::span<const Targets::value_type
     jump(otherwise);
 }
 
-/// Goes to the target of a value by a table of jumps.
+/// Jumps to the target for a value, by a table of jumps.
 void Generator::select_by_table(const Cell& selector, const Targets& targets, Label otherwise) {
     const std::int64_t least = targets.front().first, most = targets.back().first;
     for (const bool below : {true, false}) {

@@ -33,7 +33,7 @@ void Generator::real(const Expression& e) {
     }
 }
 
-/// Returns where a constant is, among the large constants of the procedure.
+/// Returns the location of a constant in the procedure's table of large constants.
 Storage Generator::real_constant(const Expression& e) {
     auto& constants = level_->constants;
     const std::int64_t bits = *constant_of(e);

@@ -8,11 +8,11 @@ namespace placedpar::occam {
 using transputer::Operation;
 
 // Routines of the library predef.lib replace missing instructions, for predefined routines and for the arithmetic of
-// reals without a floating-point unit. A REAL32 is a word there, and a REAL64 is two words, as an INT64 is.
+// reals without a floating-point unit. In these routines, a REAL32 is a word; a REAL64 is two words, like an INT64.
 
 namespace {
 
-/// The meaning of the errors of routines whose names have this ending.
+/// States what errors of the routines whose names have this ending mean.
 struct Errors {
     std::string_view name, meaning;
 };

@@ -29,7 +29,7 @@ Storage Generator::locate_segment(const Segment& segment) {
     return move_to_segment(location, segment, all, extent);
 }
 
-/// Computes the count of a segment that is not constant, with its check.
+/// Computes and checks the count of a segment whose count is not constant.
 Extent Generator::segment_count(const Segment& segment, const Extent& all) {
     const Extent extent{std::nullopt, temporary()};
     if (segment.count) {
@@ -58,7 +58,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
     return extent;
 }
 
-/// Adds the beginning of a segment to its location, checked against the elements of the array.
+/// Adds the beginning of a segment to the location of the array. Checks that the segment is inside the array.
 Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all, const Extent& extent) {
     const Type& element = *plain(*location.type).element;
     if (segment.from)
@@ -71,7 +71,7 @@ Storage Generator::move_to_segment(Storage location, const Segment& segment, con
         } else {
             load_extent(extent);
             load_extent(all, 1);
-            op(Operation::csub0); // or the next limit would be negative, which is a large one
+            op(Operation::csub0); // otherwise the next limit could be negative, which csub0 takes for a large number
             fails("a segment of {b} elements does not fit in an array of {a-1} elements");
             load_extent(all, 1);
             op(Operation::rev);

@@ -9,7 +9,7 @@ using transputer::Operation;
 
 namespace {
 
-/// Words below the workspace of the caller that the routines need.
+/// Number of words that the routines need below the caller's workspace.
 constexpr int words_of_routine = 20;
 
 /// Loads the operands at the addresses in words 13 and 14 into words 0 to 3, as magnitudes with their signs in words 4
@@ -100,7 +100,7 @@ void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& ri
     call_moved(entry, moved);
     const char* const operation = which == WideRoutine::multiply ? "*" : which == WideRoutine::divide ? "/" : "\\";
     if (moved == 0)
-        wide_fails({.cell = a}, operation, {.cell = b}); // finds the operands from where the routine is called
+        wide_fails({.cell = a}, operation, {.cell = b}); // the operands are in the caller's workspace
     stack_ = 0;
     frame_->need_below(words_of_routine + moved);
     checked_ = true;

@@ -36,7 +36,7 @@ void count_names(const Frame& frame, NameCounts& counts) {
         count_names(each->main, counts);
 }
 
-/// Adds a name to others: "reader or writer".
+/// Adds a name to a list of names: "reader or writer".
 void add_name(std::string& names, const std::string& name) {
     constexpr std::size_t longest = 60;
     constexpr const char* others = " or others";
@@ -47,7 +47,8 @@ void add_name(std::string& names, const std::string& name) {
 }
 
 /// Collects the workspaces of the processes that a frame starts, from the outermost on. A frame that starts processes
-/// at several places, one after the other, uses the same words for all of them: such a word gets the names of all.
+/// at several places, one after the other, uses the same words for all of these processes. A workspace with such words
+/// has the names of all.
 class Workspaces {
 public:
     Workspaces(const Frame& first, const std::string& name) {
@@ -57,7 +58,7 @@ public:
     std::vector<CodeWorkspace> take() { return std::move(found_); }
 
 private:
-    /// The parts of which the names of processes consist.
+    /// Holds the parts of the names of processes.
     struct Naming {
         std::string before = {}, before_inner = {}, indices = {};
         bool is_outermost = true;
@@ -65,7 +66,7 @@ private:
     };
 
     /// Adds the processes that a process starts. `base`: the workspace pointer of its procedure, in words from the
-    /// first one.
+    /// first workspace pointer.
     void add_within(const Frame& frame, std::int64_t base, Naming naming) {
         NameCounts counts;
         count_names(frame, counts);
@@ -161,7 +162,8 @@ private:
         outermost_ += naming.is_outermost;
     }
 
-    /// Adds the words of a process without those of the processes that it starts, which were found from `first` on.
+    /// Adds the words of a process, except the words of the processes that it starts. These processes are in found_,
+    /// from index `first`.
     void add_rest(CodeWorkspace own, std::size_t first) {
         std::vector<std::pair<std::int64_t, std::int64_t>> taken;
         for (std::size_t i = first; i < found_.size(); ++i)

@@ -6,7 +6,7 @@
 
 namespace placedpar::occam {
 
-/// Checks what can be known only when all parts have been executed.
+/// Runs the checks that need the whole configuration.
 void Configurer::check_whole() {
     check_nodes();
     if (!reporter_.failed())
@@ -37,7 +37,7 @@ void Configurer::check_nodes() {
     }
 }
 
-/// A node is either a processor, with a type and a memory, or is mapped onto one.
+/// A node is either a processor with a type and a memory, or is mapped onto a processor.
 void Configurer::check_node(const Element& node, const NodeState& state, const Place& declared) {
     const char* const example = "write SET node (type, memsize := \"T800\", 2097152)";
     const bool has_type = !state.type.empty(), has_memory = state.memory_at.line > 0;
@@ -46,7 +46,7 @@ void Configurer::check_node(const Element& node, const NodeState& state, const P
                         "NETWORK sets the type of a processor; MAPPING maps other nodes onto processors");
     else if ((has_type || has_memory) && state.onto)
         checker_.report(state.onto_at, fmt::format("\"{}\" is mapped, but it is a processor", text(node)),
-                        "map another node onto it",
+                        "remove its type and memory, or its MAP",
                         {{"its type or memory is set here", at(has_type ? state.type_at : state.memory_at)}});
     else if (has_memory && !has_type)
         checker_.report(state.memory_at, fmt::format("the type of \"{}\" is not set", text(node)), example);
@@ -114,8 +114,7 @@ void Configurer::check_arc(const Element& channel, const ChannelState& state, co
     if (wire.b.is_edge && state.output && state.input)
         return checker_.report(
             state.placed_at,
-            fmt::format("the channel \"{}\" is placed on an arc to an edge, but both of its ends are "
-                        "used by processes",
+            fmt::format("the channel \"{}\" is placed on an arc to an edge, but processes use both ends of the channel",
                         text(channel)),
             "", {{"the other end of the arc is here", at(wire.b.at)}});
     const bool is_stray = state.output && !state.leaves;
@@ -125,7 +124,7 @@ void Configurer::check_arc(const Element& channel, const ChannelState& state, co
     checker_.report(state.placed_at,
                     fmt::format("the arc \"{}\" does not lead to \"{}\", whose process uses the channel \"{}\"",
                                 text(*state.arc), text(configured_.processes[end.process].node), text(channel)),
-                    "", {{"the process uses it here", at(end.at)}});
+                    "", {{"the process uses the channel here", at(end.at)}});
 }
 
 void Configurer::check_channel(const Element& channel, ChannelState& state) {
@@ -138,7 +137,8 @@ void Configurer::check_channel(const Element& channel, ChannelState& state) {
                     "a channel joins two processes; PLACE can also connect it to the host");
 }
 
-/// Reports a link that a process of another processor uses. Returns whether the end is right.
+/// Checks that the process at this end of a channel is on the processor of the stated link. Returns false after an
+/// error.
 bool Configurer::is_at_its_process(const Element& channel, const std::optional<WireEnd>& link,
                                    const std::optional<ChannelEnd>& end, bool is_output) {
     if (!link || (end && configured_.processes[end->process].node == link->element))
@@ -151,7 +151,8 @@ bool Configurer::is_at_its_process(const Element& channel, const std::optional<W
     return false;
 }
 
-/// Makes the wire that `PLACE c AT link` of two processors states, or the one to the host.
+/// Makes the wire that `PLACE c AT link` on two processors states. If only one processor states it, makes a wire to the
+/// host.
 void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     if (!is_at_its_process(channel, state.leaves, state.output, true) ||
         !is_at_its_process(channel, state.arrives, state.input, false))

@@ -23,7 +23,7 @@ bool has_placed_par(std::string_view text) {
     return text.starts_with(word) || text.find("\n" + std::string(word)) != text.npos;
 }
 
-/// Passes errors on, and the warnings that are not about the files of programs: those are reported when the kinds of
+/// Passes errors and warnings on, except warnings about the files of programs. These are reported when the kinds of
 /// processes are made.
 void pass_on(std::vector<Diagnostic> diagnostics, const Program& program, Reporter& reporter) {
     std::set<std::string> programs;
@@ -36,7 +36,7 @@ void pass_on(std::vector<Diagnostic> diagnostics, const Program& program, Report
             reporter.warning(each.location, std::move(each.message), std::move(each.hint));
 }
 
-/// Writes the connections of a hint as a configuration does: CONNECT a[link][0] TO b[link][1].
+/// Returns the hint with its connections in the syntax of configurations: CONNECT a[link][0] TO b[link][1].
 std::string hint_of_configuration(const std::string& hint) {
     static const std::regex connection(R"(connect (\S+\.link\[\d+\]) to ([^\s;]+);)"), link(R"(\.link\[)");
     return std::regex_replace(std::regex_replace(hint, connection, "CONNECT $1 TO $2"), link, "[link][");

@@ -13,21 +13,22 @@
 
 namespace placedpar::occam {
 
-/// A channel, node, arc or edge of a configuration, or an array of them.
+/// Describes a channel, node, arc or edge of a configuration, or an array of them.
 struct Object {
     std::string name;
-    const Type* type = nullptr; ///< of the whole array
+    const Type* type = nullptr; ///< type of the object; for an array, of the whole array
     Place at;
 };
 
-/// An element of an object: its position in the order of the subscripts, the last of which varies fastest.
+/// Identifies an element of an object by its position, counted with the last subscript varying fastest.
 struct Element {
     std::size_t object = 0; ///< index in Configured::objects
     std::size_t index = 0;
     auto operator<=>(const Element&) const = default;
 };
 
-/// What NETWORK and MAPPING state of a node. A node with a type is a processor; others are mapped onto processors.
+/// Holds what NETWORK and MAPPING state about a node. A node with a type is a processor; a node without a type must be
+/// mapped onto a processor.
 struct NodeState {
     std::string type = {}; ///< "T800"; "" if it is not stated
     std::int64_t memory_bytes = 0;
@@ -48,39 +49,40 @@ struct WrittenWire {
     WireEnd a, b; ///< only `b` may be an edge
 };
 
-/// A port of a process, as an argument of its instance.
+/// Describes a port of a process that is an argument of the process's instance.
 struct ChannelEnd {
     std::size_t process = 0;            ///< index in Configured::processes
     std::size_t port = 0;               ///< index in the ports of its kind
-    std::optional<std::size_t> element; ///< of an array of channels
+    std::optional<std::size_t> element; ///< index in the port's array of channels; nothing if the port is not an array
     Place at;
 };
 
 struct ChannelState {
     std::optional<ChannelEnd> output, input;
-    /// The links at which it leaves and arrives, if they are stated. An arc states one of them.
+    /// The links by which the channel leaves its sender and arrives at its receiver, if they are stated. An arc states
+    /// only one of them.
     std::optional<WireEnd> leaves, arrives;
     std::optional<Element> arc;
     Place placed_at;
     bool leads_to_host = false;
 };
 
-/// A value for a parameter of a kind, as the netlist writes it.
+/// Holds a parameter's value in the syntax of the netlist.
 struct WrittenValue {
     std::string name, value;
     Place at;
 };
 
-/// An instance of a procedure on a node.
+/// Describes an instance of a procedure on a node.
 struct PlacedProcess {
     const Declaration* procedure = nullptr;
-    Element node; ///< after the end of the configuration: a processor
+    Element node; ///< a processor, once the whole configuration has been executed
     bool high_priority = false;
     Place at, node_at;
     std::vector<WrittenValue> values = {};
 };
 
-/// What a configuration describes. Its elements are in the order of the text.
+/// Holds what a configuration describes, in the order of the text.
 struct Configured {
     std::vector<Object> objects; ///< the first is the edge HOST
     std::map<Element, NodeState> nodes;
@@ -88,10 +90,10 @@ struct Configured {
     std::vector<PlacedProcess> processes;
     std::vector<Element> channel_order; ///< channels in the order of their first use
     std::map<Element, ChannelState> channels;
-    std::map<const Declaration*, ProcessKind> kinds; ///< of the procedures; for look-up only
+    std::map<const Declaration*, ProcessKind> kinds; ///< kinds of the procedures; for look-up only, never iterated
 };
 
-/// Returns a constant as the value of a netlist; nothing for an array that is not a text.
+/// Returns the constant as a value for a netlist; nothing if it is an array that is not a text.
 std::optional<Value> netlist_value(const Constant&, const Type&);
 
 /// Returns the number of elements of a type; 1 unless it is an array.

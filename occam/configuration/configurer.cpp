@@ -9,13 +9,13 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Limits the statements, rounds and elements of a configuration, as a netlist is limited.
+/// Limits the number of statements, repetitions and elements of a configuration, as for a netlist.
 constexpr std::size_t most_steps = 1'000'000;
 
-constexpr const char* allowed_in_network = "NETWORK has DO, IF, SET and CONNECT";
-constexpr const char* allowed_in_mapping = "MAPPING has DO, IF and MAP";
+constexpr const char* allowed_in_network = "NETWORK can have only DO, IF, SET and CONNECT";
+constexpr const char* allowed_in_mapping = "MAPPING can have only DO, IF and MAP";
 constexpr const char* allowed_in_software =
-    "a configuration has PAR, IF, PROCESSOR, and instances of PROCs; write a PROC for the rest";
+    "a configuration can have only PAR, IF, PROCESSOR, and instances of PROCs; write a PROC for the rest";
 
 } // namespace
 
@@ -24,7 +24,7 @@ Configurer::Configurer(Program& program, const ValChoice& choose, Reporter& repo
     program_.has_channel_tables = true;
 }
 
-/// Makes the names HOST, HIGH and LOW visible; a configuration may declare them anew.
+/// Makes the names HOST, HIGH and LOW visible. A configuration may declare other things with these names.
 void Configurer::add_predefined() {
     const auto add = [&](const std::string& name, const Type* type) -> Declaration& {
         Declaration& declaration = *predefined_.emplace_back(std::make_unique<Declaration>());
@@ -114,7 +114,7 @@ void Configurer::refuse(const Process& process) {
     const char* const allowed = part_ == Part::network   ? allowed_in_network
                                 : part_ == Part::mapping ? allowed_in_mapping
                                                          : allowed_in_software;
-    reporter_.error(at(process.at), "this cannot stand in a configuration", allowed);
+    reporter_.error(at(process.at), "this statement is not allowed in a configuration", allowed);
 }
 
 void Configurer::form_of(Process&, Scope& scope) {
@@ -171,7 +171,7 @@ bool Configurer::execute_if(If& conditional) {
     return found;
 }
 
-/// Returns whether a condition was true, or wrong.
+/// Returns true if a condition was true or had an error.
 bool Configurer::execute_choices(If& conditional) {
     for (Choice& choice : conditional.choices) {
         const std::size_t mark = checker_.mark();

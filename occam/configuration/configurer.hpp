@@ -13,23 +13,23 @@
 
 namespace placedpar::occam {
 
-/// Executes the statements of a configuration: replicators with constant bounds, and conditions that are constants.
+/// Executes the statements of a configuration. The bounds of replicators and the conditions must be constants.
 class Configurer {
 public:
     /// REQUIRES: the program was parsed without errors, and is a configuration.
     Configurer(Program&, const ValChoice&, Reporter&);
 
-    /// Returns what the configuration describes. If errors are reported, it is not complete.
+    /// Returns what the configuration describes. The result is incomplete if an error was reported.
     Configured run();
 
 private:
-    /// Consecutive elements of an object.
+    /// Holds consecutive elements of an object.
     struct Range {
         std::size_t object = 0, first = 0, count = 0;
     };
     using Selection = std::vector<Range>;
     enum class Part { network, mapping, software };
-    /// The processor whose PROCESSOR is being executed.
+    /// Describes the processor whose PROCESSOR statement is being executed.
     struct CurrentProcessor {
         Element node;
         Place at;
@@ -95,7 +95,7 @@ private:
     void channel_argument(Expression&, const PortDescription&, ChannelEnd);
     void add_end(const Element& channel, const PortDescription&, const ChannelEnd&);
 
-    // What is known at the end (conclusion.cpp)
+    // Checks after the last statement (conclusion.cpp)
     void check_whole();
     void visit_channels(void (Configurer::*)(const Element&, ChannelState&));
     void check_nodes();
@@ -122,7 +122,7 @@ private:
     std::map<const Declaration*, Selection> selections_;
     std::map<Element, std::size_t> wire_of_arc_;
     std::map<std::int64_t, Element> numbered_;
-    std::map<Element, std::vector<WireEnd>> links_used_; ///< by node: where the link of each wire leads
+    std::map<Element, std::vector<WireEnd>> links_used_; ///< for each node, the ends of its wires at this node
     Part part_ = Part::software;
     std::optional<CurrentProcessor> here_;
     bool has_config_ = false;

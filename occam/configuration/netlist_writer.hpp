@@ -12,8 +12,8 @@
 
 namespace placedpar::occam {
 
-/// Writes a configuration as a netlist. Each word of the netlist knows its place in the configuration, so that errors
-/// of the netlist are reported there.
+/// Writes a configuration as a netlist. Records for each word of the netlist its place in the configuration, so that
+/// errors in the netlist are reported there.
 class NetlistWriter {
 public:
     NetlistWriter(const Program& program, const Configured& configured, Reporter& reporter)
@@ -48,7 +48,7 @@ private:
     std::string text_;
     std::set<std::string, std::less<>> names_;
     std::map<Element, std::string> elements_; ///< names of nodes and edges
-    std::vector<std::string> processes_;      ///< names
+    std::vector<std::string> processes_;      ///< names of the processes
 };
 
 } // namespace placedpar::occam

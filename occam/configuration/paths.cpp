@@ -9,7 +9,7 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::size_t largest_object = 250'000; ///< of an object
+constexpr std::size_t largest_object = 250'000; ///< largest number of elements of an object
 
 } // namespace
 
@@ -56,7 +56,7 @@ Configurer::Selection Configurer::slice(const Selection& whole, std::size_t firs
     return part;
 }
 
-/// Returns the elements that a checked path leads to; none if it has an error.
+/// Returns the elements that a checked path names; none if the path has an error.
 Configurer::Selection Configurer::selection_of(const Expression& path) {
     if (const auto* const use = std::get_if<NameUse>(&path.form)) {
         const auto found = selections_.find(use->meaning);
@@ -108,7 +108,7 @@ std::vector<Element> Configurer::elements(Expression& path, Type::Kind kind, con
     return has_kind(path, kind, what) ? elements(selection_of(path), path.at) : std::vector<Element>{};
 }
 
-/// Returns the one element that a path leads to; nothing after reporting that there is none.
+/// Returns the single element that a path names; nothing after reporting an error.
 std::optional<Element> Configurer::single(Expression& path, Type::Kind kind, const std::string& what) {
     checker_.check(path);
     if (!has_kind(path, kind, what))

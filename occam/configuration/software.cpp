@@ -14,7 +14,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The words of old configurations for types of transputers.
+/// Lists the words for types of transputers in old configurations.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> short_types = {
     {{"T8", "T800"}, {"T4", "T414"}, {"T5", "T425"}, {"TA", "T414"}, {"TB", "T414"}}};
 constexpr std::int64_t usual_memory_bytes = 2 * 1024 * 1024;
@@ -36,7 +36,8 @@ std::optional<Element> Configurer::node_of(Processor& processor) {
         return numbered_node(processor);
     const auto node = single(processor.number, Type::Kind::node, "a node");
     if (node && !processor.type.empty()) {
-        checker_.report(processor.number.at, "the type of a node is stated by SET", "leave the type out");
+        checker_.report(processor.number.at, "the type of a node is stated by SET, not by PROCESSOR",
+                        "leave the type out");
         return std::nullopt;
     }
     return node;
@@ -71,7 +72,7 @@ std::optional<Element> Configurer::numbered_node(Processor& processor) {
     return element;
 }
 
-/// Returns the kind of a procedure; null after reporting a parameter that cannot be given.
+/// Returns the kind of a procedure; null after reporting a parameter to which a netlist cannot give a value.
 const ProcessKind* Configurer::kind_of_procedure(const Declaration& procedure) {
     if (const auto known = configured_.kinds.find(&procedure); known != configured_.kinds.end())
         return &known->second;
@@ -88,7 +89,7 @@ void Configurer::instance(Process& process, Instance& called) {
         return checker_.report(process.at, fmt::format("\"{}\" is not a PROC of a file", called.name),
                                "write a PROC that calls it");
     if (!here_)
-        return checker_.report(process.at, fmt::format("the process \"{}\" is on no processor", called.name),
+        return checker_.report(process.at, fmt::format("the process \"{}\" is not on a processor", called.name),
                                "write PROCESSOR and a node above it");
     const ProcessKind* const kind = kind_of_procedure(*called.meaning);
     if (!kind || called.arguments.size() != procedure->parameters.size())

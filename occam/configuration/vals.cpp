@@ -1,4 +1,4 @@
-// Values of constants: as a netlist has them, and as an option sets them.
+// These functions convert constants to values of netlists, and set the VALs that options change.
 
 #include "occam/check/constant.hpp"
 #include "occam/configuration/configurer.hpp"
@@ -28,6 +28,20 @@ std::optional<Constant> constant_of_number(const Value& number, Basic basic) {
     return fits ? std::optional(Constant{integer, nullptr}) : std::nullopt;
 }
 
+std::string print_value(const Value& value) {
+    return std::visit([](const auto& of) { return fmt::format("{}", of); }, value);
+}
+
+/// Says why a value cannot be set. The value has the type of the VAL, but does not fit in it.
+std::string refusal(const Value& chosen, const Type& type) {
+    if (std::holds_alternative<std::string>(chosen))
+        return fmt::format("its type {} holds a text of exactly that size", name_of(type));
+    if (std::holds_alternative<double>(chosen))
+        return fmt::format("the number is too large for {}", name_of(type));
+    return fmt::format("{} holds whole numbers from {} to {}", name_of(type), most_negative(type.basic),
+                       most_positive(type.basic));
+}
+
 } // namespace
 
 std::optional<Value> netlist_value(const Constant& constant, const Type& of) {
@@ -53,7 +67,10 @@ void Configurer::choose(Declaration& val) {
         return;
     const Value chosen = choose_(netlist_name(val.name), *original, at(val.at));
     if (chosen != *original && !set_val(val, chosen))
-        checker_.report(val.at, fmt::format("the value that is set does not fit in {}", name_of(*val.type)), "");
+        checker_.report(
+            val.at,
+            fmt::format("{} cannot be set to {}: {}", val.name, print_value(chosen), refusal(chosen, plain(*val.type))),
+            "");
 }
 
 /// Returns whether the value fits.

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array processor_types = {"T805", "T801", "T800", "T425", "T414", "T400", "T225", "T222", "T212"};
 
-/// Returns the name of a type from a text such as "t800 ", where tables of texts have blanks.
+/// Returns the name of a type from a text such as "t800 ". Texts in a table may have blanks at the end.
 std::string type_in(const std::vector<std::uint8_t>& bytes) {
     std::string type(bytes.begin(), bytes.end());
     type.erase(type.find_last_not_of(' ') + 1);
@@ -88,7 +88,8 @@ void Configurer::set(SetNode& written) {
 
 void Configurer::set_type(NodeState& state, const Element& node, Setting& setting) {
     if (!setting.value.constant || !setting.value.constant->bytes)
-        return checker_.report(setting.value.at, "the type of a node must be a string", "such as \"T800\"");
+        return checker_.report(setting.value.at, "the type of a node must be a string",
+                               "write a type such as \"T800\"");
     if (!state.type.empty())
         return checker_.report(setting.at, fmt::format("the type of \"{}\" is set twice", text(node)), "",
                                {{"first set here", at(state.type_at)}});
@@ -165,7 +166,7 @@ void Configurer::place(Declaration& declaration, Placement& placement) {
                                "write ON and an arc, or AT and a link");
     const auto word = constant(*placement.address, "the address");
     if (!here_)
-        return checker_.report(declaration.at, "a channel is placed at a link of a processor",
+        return checker_.report(declaration.at, "a channel can be placed at a link only below a PROCESSOR",
                                "write this line below PROCESSOR, in front of its process");
     for (Expression& path : placement.paths)
         if (word)

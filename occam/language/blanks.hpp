@@ -8,8 +8,9 @@
 
 namespace placedpar::occam {
 
-/// Returns a program without blanks at the ends of lines, and with blanks in place of tabs in front of lines. The
-/// indentation is part of the language and stays. Returns nothing if the words would change.
+/// Returns the program without blanks at the ends of lines, and with blanks instead of tabs at the beginnings of lines.
+/// The depth of indentation stays, since it is part of the language. Returns nothing if the words of the program would
+/// change.
 std::optional<std::string> with_tidy_blanks(const std::shared_ptr<const SourceFile>&);
 
 } // namespace placedpar::occam

@@ -38,7 +38,7 @@ private:
         if (!failed_ && at.kind != WordKind::illegal)
             reading_.reporter.error(reading_.location(at.at),
                                     message + " in the condition of " + std::string(words_.front().text),
-                                    "write #IF DEFINED (X), with NOT, AND, OR and =");
+                                    "write a condition such as DEFINED (X), with NOT, AND, OR and =");
         failed_ = true;
         position_ = words_.size();
     }
@@ -129,9 +129,10 @@ void execute_option(Reading& reading, const Word& letters) {
         case 'Y':
         case ' ': break;
         default:
-            reading.reporter.warning(reading.location(letters.at), fmt::format("#OPTION has no letter \"{}\"", letter),
-                                     "A: no alias checks, N: no usage checks, K: no range checks, U: no checks at run "
-                                     "time, V: arrays in the workspace");
+            reading.reporter.warning(
+                reading.location(letters.at), fmt::format("#OPTION has no letter \"{}\"", letter),
+                "the letters are A: no alias checks, N: no usage checks, K: no range checks, U: no checks at run "
+                "time, V: arrays in the workspace");
         }
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using Path = std::filesystem::path;
 
-/// Returns the name of a file without its folders. Old files write `\`.
+/// Returns the name of a file without its folders. In old files, `\` separates the folders.
 std::string without_folders(const std::string& name) {
     const auto slash = name.find_last_of("/\\");
     return slash == std::string::npos ? name : name.substr(slash + 1);
@@ -39,7 +39,7 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
-/// Returns whether the name is the name of a library, which has no single source file beside it.
+/// Returns whether the name names a library, which has no single source file beside it.
 bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
 
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
@@ -92,7 +92,7 @@ FoundFile loaded(Reading& reading, const Path& path, std::string key, const Plac
     return {std::move(key), nullptr};
 }
 
-/// Returns whether a file may be opened within those that are open.
+/// Returns whether a file may be opened while the files in `reading.open` are open. Reports an error if not.
 bool may_open(Reading& reading, const std::string& key, const std::string& name, const Place& at) {
     const auto same = std::ranges::find(reading.open, key, &OpenFile::key);
     if (same != reading.open.end()) {

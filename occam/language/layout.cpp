@@ -51,11 +51,11 @@ void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Wo
     reading_.reporter.error(at(first),
                             fmt::format("wrong indentation: the line begins with {}, but {} are expected",
                                         counted(first.indentation, "blank"), wanted),
-                            fmt::format("lines below \"{}\" are indented by two blanks more than it", head.text),
+                            fmt::format("lines below \"{}\" are indented two blanks further than its line", head.text),
                             {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
 
-/// Reads the lines that belong to the line of `head`, which has ended. They are indented by two more.
+/// Reads the block below the line of `head`, which has ended. The lines of the block are indented two blanks further.
 void Parser::parse_block(const Word& head_word, const Component& component) {
     const Word head = head_word;
     const bool doubt = indentation_in_doubt_;
@@ -90,7 +90,7 @@ ProcessBox Parser::parse_body(const Word& head) {
         is_empty = false;
         const Word first = peek();
         if (body && !std::exchange(has_more, true) && !indentation_in_doubt_)
-            reading_.reporter.error(at(first), fmt::format("only one process can stand below \"{}\"", head.text),
+            reading_.reporter.error(at(first), fmt::format("only one process is allowed below \"{}\"", head.text),
                                     "put SEQ or PAR above both, and indent them by two blanks more",
                                     {{"the first process is here", reading_.location(body->at)}});
         Process process = parse_process();
@@ -99,10 +99,10 @@ ProcessBox Parser::parse_body(const Word& head) {
     });
     if (is_empty)
         reading_.reporter.error(at(head), fmt::format("a process is missing below \"{}\"", head.text),
-                                "write SKIP, indented by two blanks more, if it is to do nothing");
+                                "if nothing must be done, write SKIP, indented by two blanks more");
     const bool is_meant = head.is_word("WHILE") || head.is_word("SEQ") || head.is_word("PAR");
     if (is_empty && is_meant && !is_at_end() && peek().indentation == head.indentation && !peek().is(":"))
-        body = std::make_unique<Process>(parse_process()); // the line below is not indented, as it should be
+        body = std::make_unique<Process>(parse_process()); // the line below is not indented, although it should be
     return body ? std::move(body) : std::make_unique<Process>(Process{head.at, Skip{}});
 }
 

@@ -9,13 +9,13 @@
 
 namespace placedpar::occam {
 
-/// A line of a program with its continuation lines. The last word is its end.
+/// Holds a line of a program together with its continuation lines. The last word is of kind `end`.
 struct Line {
     std::vector<Word> words;
-    bool is_end = false; ///< after the last line of the file
+    bool is_end = false; ///< there is no line: the last line of the file has been returned
 };
 
-/// Reads the lines of a file and of the files that it includes, and executes directives. #USE is left to the parser.
+/// Reads the lines of a file and of the files that it includes, and executes directives. The parser executes #USE.
 class Lines {
 public:
     /// REQUIRES: the file is the last of `reading.open`.
@@ -25,16 +25,16 @@ public:
     Line next();
 
 private:
-    /// An #IF that is not closed.
+    /// Describes an #IF whose #ENDIF has not been read.
     struct Condition {
         Place at;
-        bool is_true = false;  ///< its lines are read
+        bool is_true = false;  ///< the lines of the present branch are read
         bool was_true = false; ///< this branch or an earlier one was read
         bool has_else = false;
     };
     struct File {
         std::uint32_t index = 0;
-        std::string_view rest = {};    ///< rest of its text
+        std::string_view rest = {};    ///< the part of the file's text that has not been read
         std::uint32_t line = 0;        ///< number of the last line that was taken
         std::uint32_t indentation = 0; ///< indentation of the #INCLUDE
         std::vector<Condition> conditions = {};
@@ -62,7 +62,7 @@ private:
     Reading& reading_;
     WordScanner scanner_;
     std::vector<File> files_;
-    std::optional<TextLine> held_; ///< a line that has been read, but does not continue the line above
+    std::optional<TextLine> held_; ///< a line that was read ahead and does not continue the previous line
     Place last_;                   ///< start of the last line that was read
     bool warned_of_tabs_ = false;
 };

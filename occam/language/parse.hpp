@@ -12,16 +12,17 @@
 
 namespace placedpar::occam {
 
-/// Options of reading.
+/// Holds the options for reading a program.
 struct ParseOptions {
-    std::vector<std::filesystem::path> folders; ///< where #INCLUDE and #USE look, after the folder of the file
+    std::vector<std::filesystem::path>
+        folders; ///< folders for #INCLUDE and #USE, searched after the folder of the file that names the other file
     /// Returns the text of one of PlacedPar's own files or libraries, such as "hostio.inc"; nothing if there is none.
-    /// The name is without its path, in small letters.
+    /// The name has no path, and only small letters.
     std::function<std::optional<std::string>(const std::string& name)> built_in;
-    std::vector<std::string> defined; ///< names of the preprocessor
+    std::vector<std::string> defined; ///< names that are defined for the preprocessor
 };
 
-/// The options that #OPTION and #PRAGMA set in the main file.
+/// Holds the options that #OPTION and #PRAGMA set in the main file.
 struct SourceOptions {
     bool alias_checks = true, usage_checks = true, range_checks = true, run_time_checks = true;
     bool vector_space = true;
@@ -32,7 +33,8 @@ struct Parsed {
     SourceOptions options;
 };
 
-/// Reads a file with all that it includes and uses. Reports errors; the tree then has the parts that could be read.
+/// Reads a file, and all files that it includes or uses. Reports errors; the tree then has only the parts without
+/// errors.
 Parsed parse(std::shared_ptr<const SourceFile>, const ParseOptions&, Reporter&);
 
 } // namespace placedpar::occam

@@ -10,7 +10,7 @@
 
 namespace placedpar::occam {
 
-/// The words of configurations are names elsewhere, so they count only where no name can stand.
+/// The keywords of configurations are names elsewhere, so they count as keywords only where a name is not allowed.
 bool Parser::is_configuration_part() const {
     if (peek().is_word("PLACED"))
         return true;

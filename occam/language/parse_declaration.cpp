@@ -60,7 +60,7 @@ void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool 
         if (first.indentation < indentation)
             return;
         if (first.indentation > indentation && !std::exchange(indentation_in_doubt_, true))
-            reading_.reporter.error(at(first), "this declaration is indented further than the one above");
+            reading_.reporter.error(at(first), "this declaration is indented further than the declaration above");
         try {
             parse_declaration(declarations);
         } catch (const LineRefused&) {
@@ -104,7 +104,7 @@ DeclarationBox& Parser::add(std::vector<DeclarationBox>& declarations, const Wor
     return declarations.emplace_back(std::move(declaration));
 }
 
-/// Expects the `:` that ends a declaration, and goes to the next line.
+/// Expects the `:` that ends a declaration, and continues with the next line.
 void Parser::end_declaration(std::string_view what) {
     if (!accept(":")) {
         if (peek().kind != WordKind::end)
@@ -162,7 +162,7 @@ void Parser::parse_untyped(std::vector<DeclarationBox>& declarations, bool is_va
     end_declaration("an abbreviation");
 }
 
-/// Reads what follows `T x` in `T x IS e:` and in RETYPES. Returns whether it is such a definition.
+/// Reads the part after `T x` in `T x IS e:` and in RETYPES. Returns false if the declaration is neither of them.
 bool Parser::parse_definition(std::vector<DeclarationBox>& declarations, const Word& name,
                               std::shared_ptr<TypeText> type, bool is_value) {
     std::optional<bool> is_output;
@@ -231,7 +231,7 @@ void Parser::parse_placement(std::vector<DeclarationBox>& declarations) {
             refuse(peek(), fmt::format("AT or IN is expected after the name: found {}", describe(peek())));
         placement.where = peek().is_word("WORKSPACE") ? Placement::Where::workspace : Placement::Where::vector_space;
         if (!accept_word("WORKSPACE"))
-            expect_word("VECSPACE", "after IN, or WORKSPACE");
+            expect_word("VECSPACE", "after IN (WORKSPACE is also possible)");
     }
     add(declarations, name, std::move(placement));
     end_declaration("a placement");
@@ -304,7 +304,7 @@ void Parser::parse_record(DataType& type, const Word& head) {
         parse_fields(type, record);
     });
     if (type.fields.empty() && !reading_.reporter.failed())
-        reading_.reporter.error(at(head), "a RECORD has at least one field");
+        reading_.reporter.error(at(head), "a RECORD must have at least one field");
 }
 
 void Parser::parse_fields(DataType& type, const Word& head) {

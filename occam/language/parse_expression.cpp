@@ -137,7 +137,7 @@ Expression Parser::parse_conversion(std::shared_ptr<TypeText> type) {
     return made(word, std::move(conversion));
 }
 
-/// Only names, segments, tables and strings have subscripts.
+/// Reads an operand. Names, segments, tables and strings may have subscripts.
 Expression Parser::parse_operand() {
     const bool is_in_parentheses = peek().is("(");
     Expression operand = parse_primary();
@@ -165,7 +165,7 @@ Expression Parser::parse_primary() {
         return parse_bound();
     const bool needs_parentheses = basic_type(word) || operator_of(word, monadic_operators);
     refuse(word, fmt::format("an operand is missing: found {}", describe(word)),
-           needs_parentheses ? "put parentheses around an operation or conversion within another one" : "");
+           needs_parentheses ? "put parentheses around an operation or conversion within another operation" : "");
 }
 
 void Parser::parse_literal_type(std::optional<Basic>& type, std::string& name) {
@@ -301,7 +301,7 @@ Expression Parser::parse_subscripts(Expression array) {
 Expression Parser::parse_brackets() {
     const Word word = take();
     if (peek().is("]"))
-        refuse(peek(), "a table has at least one element");
+        refuse(peek(), "a table must have at least one element");
     Expression first = parse_expression();
     if (peek().is_word("FROM") || peek().is_word("FOR")) {
         Segment segment;
@@ -370,7 +370,7 @@ void Parser::parse_value_body(ValueProcess& value, const Word& head) {
         } else {
             Process process = parse_process();
             if (value.process)
-                refuse(first, "only one process can stand in VALOF", "put SEQ above both");
+                refuse(first, "only one process is allowed in a VALOF", "put SEQ above both");
             value.process = std::make_unique<Process>(std::move(process));
         }
     });

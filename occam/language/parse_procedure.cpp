@@ -10,8 +10,8 @@ void Parser::end_body(const Word& head, std::string_view what) {
         const Location place = is_at_end() ? at(last_) : at(peek());
         if (!indentation_in_doubt_)
             reading_.reporter.error(place, fmt::format("\":\" is missing at the end of {}", what),
-                                    "write it on a line of its own below the first word",
-                                    {{"it begins here", at(head)}});
+                                    "write \":\" on a line of its own, with the indentation of the first word",
+                                    {{"the definition begins here", at(head)}});
         return;
     }
     const Word colon = take();
@@ -19,7 +19,7 @@ void Parser::end_body(const Word& head, std::string_view what) {
         reading_.reporter.error(at(colon),
                                 fmt::format("wrong indentation: the \":\" begins with {} blanks, but {} are expected",
                                             colon.indentation, head.indentation),
-                                "", {{fmt::format("it ends {}", what), at(head)}});
+                                "", {{fmt::format("the \":\" ends {}", what), at(head)}});
     end_line("\":\"");
 }
 

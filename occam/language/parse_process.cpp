@@ -80,11 +80,11 @@ void Parser::refuse_statement(const Word& word) {
     std::ranges::transform(upper, upper.begin(), [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
     std::string hint = is_name ? did_you_mean(word.text, beginnings) : "";
     if (is_name && upper != word.text && is_keyword(upper))
-        hint = fmt::format("the words of the language are in capitals: {}", upper);
+        hint = fmt::format("write the words of the language in capitals: {}", upper);
     if (word.is_word("ELSE"))
         hint = "ELSE is an option of CASE; write TRUE in an IF";
     if (hint.empty() && is_name && peek(1).kind == WordKind::end)
-        hint = fmt::format("the call of a PROC has parentheses: {} ()", word.text);
+        hint = fmt::format("write the call of a PROC with parentheses: {} ()", word.text);
     if (word.is_word("PRI"))
         hint = "write PRI PAR or PRI ALT";
     refuse(word, fmt::format("a process or a declaration is expected: found {}", describe(word)), hint);
@@ -211,7 +211,7 @@ Process Parser::parse_assignment_or_communication() {
         assignment.targets.push_back(parse_element("a variable"));
     if (!accept(":="))
         refuse(peek(), fmt::format("\":=\", \"?\" or \"!\" is expected: found {}", describe(peek())),
-               peek().is("=") ? "an assignment is written \":=\"" : hint_for_change(first, peek(), peek(1)));
+               peek().is("=") ? "write \":=\" for an assignment" : hint_for_change(first, peek(), peek(1)));
     assignment.values = parse_expressions();
     end_line("an assignment");
     return {first.at, std::move(assignment)};

@@ -97,7 +97,7 @@ ProtocolText Parser::parse_sequence() {
     return protocol;
 }
 
-/// Returns the number of words from a bracket to the one that closes it; 0 if it is not closed in the line.
+/// Returns the number of words from a bracket to its closing bracket; 0 if the line has no closing bracket.
 std::size_t Parser::bracket_length(std::size_t ahead) const {
     std::size_t depth = 0;
     for (std::size_t i = ahead; peek(i).kind != WordKind::end; ++i) {

@@ -117,7 +117,7 @@ std::string Parser::expect_name(std::string_view what) {
     return std::string(take().text);
 }
 
-/// Expects the end of the line, and goes to the next one.
+/// Expects the end of the line, and continues with the next line.
 void Parser::end_line(std::string_view behind) {
     const Word& word = peek();
     if (word.kind != WordKind::end)

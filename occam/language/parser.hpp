@@ -12,11 +12,11 @@
 
 namespace placedpar::occam {
 
-/// Thrown after an error has been reported, to leave the line that has it.
+/// A function of the parser throws this exception after reporting an error, to skip the rest of the line.
 struct LineRefused {};
 
-/// Reads one file to a tree, by recursive descent. An error is reported once; reading continues at the next line that
-/// is not indented further than the line with the error.
+/// Parses one file into a tree, by recursive descent. An error is reported once; reading continues at the next line
+/// that is not indented further than the line with the error.
 class Parser {
 public:
     Parser(Reading& reading, std::uint32_t file);
@@ -148,7 +148,8 @@ private:
     void parse_tag(Variant&);
 
     // Declarations (parse_declaration.cpp)
-    /// Returns whether a declaration begins here. If an expression can also begin, `INT x` is one.
+    /// Returns whether a declaration begins here. `or_expression`: an expression may begin here, too, so `INT x` is a
+    /// conversion.
     bool is_declaration(bool or_expression) const;
     bool is_foreign_statement() const;
     void parse_declarations(std::vector<DeclarationBox>&, bool or_expression);
@@ -183,7 +184,7 @@ private:
     std::size_t position_ = 0;
     std::size_t lines_taken_ = 0;
     bool header_failed_ = false;        ///< parse_header() has refused the last line that it read
-    bool indentation_in_doubt_ = false; ///< a line around this one is indented wrongly
+    bool indentation_in_doubt_ = false; ///< an enclosing line has a wrong indentation
     Word last_;                         ///< the word that was taken last
 };
 

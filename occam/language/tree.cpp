@@ -19,7 +19,8 @@ std::string name_of(const ProtocolType& protocol) {
     return text;
 }
 
-/// Returns the end of the last field, in whole words unless the record is packed, so that arrays of it are aligned.
+/// Returns the size of a record. Unless the record is packed, the size is a whole number of words, so that the elements
+/// of arrays are aligned.
 std::uint64_t bytes_of_record(const Type& record) {
     if (record.fields.empty())
         return 0;

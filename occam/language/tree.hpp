@@ -12,10 +12,10 @@
 
 namespace placedpar::occam {
 
-/// The tree of a program. The parser makes it; the members that are marked "checked" are filled by the check of names
-/// and types (occam/check), and are required by the code generator (occam/code).
+/// These structures form the tree of a program, which the parser makes. The checker (occam/check) sets the members that
+/// are marked "checked"; the code generator (occam/code) needs them.
 
-/// A place in one of the files of a program. Lines and columns count from 1.
+/// Identifies a place in one of the files of a program. Lines and columns count from 1.
 struct Place {
     std::uint32_t file = 0; ///< index in Program::files
     std::uint32_t line = 0, column = 0;
@@ -29,19 +29,19 @@ using ExpressionBox = std::unique_ptr<Expression>;
 using ProcessBox = std::unique_ptr<Process>;
 using DeclarationBox = std::unique_ptr<Declaration>;
 
-// Types as they are written
+// The text of types, before their names are resolved
 
 struct TypeText;
 
-/// `T` or `count::[]T` in a protocol.
+/// Holds an item of a protocol, such as `T` or `count::[]T`.
 struct ItemText {
     std::shared_ptr<TypeText> count; ///< null unless the array is counted
     std::shared_ptr<TypeText> type;
 };
-/// The protocol after CHAN OF: ANY, a name, or items.
+/// Holds the protocol after CHAN OF: ANY, a name, or items.
 struct ProtocolText {
     bool any = false;
-    std::vector<ItemText> items; ///< a name alone is one item: a TypeText with a name
+    std::vector<ItemText> items; ///< if the protocol has a name: one item, whose TypeText holds the name
 };
 struct TypeText {
     Place at;
@@ -66,7 +66,7 @@ enum class Operator : std::uint8_t {
     subtract,
     multiply,
     divide,
-    remainder, // checked
+    remainder, // up to here, an overflow is an error
     plus,
     minus,
     times, // modulo 2^n
@@ -84,7 +84,7 @@ enum class Operator : std::uint8_t {
     after,
     logical_and,
     logical_or,
-    // of one operand
+    // the operators below have one operand
     negate,
     minus_modulo,
     bit_not,
@@ -92,36 +92,36 @@ enum class Operator : std::uint8_t {
     size
 };
 
-/// The value of a constant expression. Scalars are in `bits`, sign-extended if they are integers; REAL32 and REAL64 by
-/// their bit pattern. Arrays and records are in `bytes`, as in memory, little-endian.
+/// Holds the value of a constant expression. `bits` holds a scalar: an integer with its sign extended, a REAL32 or
+/// REAL64 as its bit pattern. `bytes` holds an array or a record in the layout of memory, little-endian.
 struct Constant {
     std::int64_t bits = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> bytes;
 };
 
-/// A name of a value, a variable, a channel, a timer, a field (as a subscript) or a tag (as an item).
+/// Holds a name of a value, a variable, a channel, a timer, a field (as a subscript) or a tag (as an item).
 struct NameUse {
     std::string name;
     const Declaration* meaning = nullptr; ///< checked; null for a field or a tag
 };
-/// `42`, `#2A`, `'a'`, `42(INT64)`, `TRUE`.
+/// Holds a literal such as `42`, `#2A`, `'a'`, `42(INT64)` or `TRUE`.
 struct IntegerLiteral {
     std::uint64_t value = 0;
-    bool negative_allowed = false; ///< it directly follows a minus sign, and may be 2^(n-1)
-    std::optional<Basic> type;     ///< as written or by its form: BYTE of a character, BOOL of TRUE; else INT
-    std::string type_name = {};    ///< `42(LENGTH)`: a DATA TYPE
+    bool negative_allowed = false; ///< the literal directly follows a minus sign, so it may be 2^(n-1)
+    std::optional<Basic> type;     ///< the stated type; BYTE for a character, BOOL for TRUE and FALSE; nothing: INT
+    std::string type_name = {};    ///< name of a DATA TYPE, as in `42(LENGTH)`
 };
-/// `1.5(REAL32)`: digits as written.
+/// Holds a literal such as `1.5(REAL32)`, with its digits as text.
 struct RealLiteral {
     std::string digits;
     std::optional<Basic> type;
-    std::string type_name = {}; ///< `1.5(LENGTH)`: a DATA TYPE
+    std::string type_name = {}; ///< name of a DATA TYPE, as in `1.5(LENGTH)`
 };
-/// A string with its escapes resolved. `*l` in front has been replaced by the length.
+/// Holds a string with its escapes resolved. The length has replaced an escape `*l` at the beginning.
 struct StringLiteral {
     std::string bytes;
 };
-/// `[a, b, c]`, perhaps followed by a type: a record literal.
+/// Holds a table `[a, b, c]`. If the name of a record type follows, the table is a record literal.
 struct TableLiteral {
     std::vector<Expression> elements;
     std::shared_ptr<TypeText> type;
@@ -134,59 +134,60 @@ struct BinaryOperation {
     Operator operation{};
     ExpressionBox left, right;
 };
-/// `INT x`, `REAL32 ROUND x`, `INT TRUNC x`.
+/// Holds a conversion such as `INT x`, `REAL32 ROUND x` or `INT TRUNC x`.
 struct Conversion {
     enum class Rounding : std::uint8_t { none, round, truncate };
     std::shared_ptr<TypeText> to;
     Rounding rounding = Rounding::none;
     ExpressionBox operand;
 };
-/// `a[i]`, `record[field]`.
+/// Holds an expression `a[i]` or `record[field]`.
 struct Subscript {
     ExpressionBox array, index;
     std::optional<std::uint32_t> field; ///< checked: index among the record's fields
 };
-/// `[a FROM i FOR n]`; `[a FOR n]` and `[a FROM i]` have a null.
+/// Holds a segment `[a FROM i FOR n]`. The missing part of `[a FOR n]` or `[a FROM i]` is null.
 struct Segment {
     ExpressionBox array, from, count;
 };
-/// A call of a function or of a predefined one. With the name of a DATA TYPE it is a conversion.
+/// Holds a call of a function or of a predefined function. If the name is a DATA TYPE, the call is a conversion.
 struct Call {
     std::string name;
     std::vector<Expression> arguments;
     const Declaration* meaning = nullptr; ///< checked
 };
-/// `(VALOF ... RESULT ...)`: specifications, a process, results.
+/// Holds `(VALOF ... RESULT ...)`: specifications, a process, and results.
 struct ValueProcess {
     std::vector<DeclarationBox> declarations;
     ProcessBox process;
     std::vector<Expression> results;
 };
-/// `MOSTPOS INT`, `MOSTNEG INT`, `BYTESIN (T)`.
+/// Holds `MOSTPOS INT`, `MOSTNEG INT` or `BYTESIN (T)`.
 struct TypeBound {
     enum class Which : std::uint8_t { most_positive, most_negative, bytes_in };
     Which which{};
     std::shared_ptr<TypeText> of;
 };
-/// `OFFSETOF (R, field)`.
+/// Holds `OFFSETOF (R, field)`.
 struct OffsetOf {
     std::shared_ptr<TypeText> of;
     std::string field;
 };
 
 struct Expression {
-    Place at; ///< the first character; an operation with two operands is at its operator
+    Place at; ///< place of the first character; for an operation with two operands, of the operator
     std::variant<NameUse, IntegerLiteral, RealLiteral, StringLiteral, TableLiteral, UnaryOperation, BinaryOperation,
                  Conversion, Subscript, Segment, Call, ValueProcess, TypeBound, OffsetOf>
         form;
-    std::optional<bool> written_output = {}; ///< `c!` or `c?`: a channel that is passed or abbreviated
-    const Type* type = nullptr;              ///< checked; of a call with several results: that of the first
-    std::optional<Constant> constant;        ///< checked: the value, if it is known at compile time
+    std::optional<bool> written_output =
+        {};                           ///< for a channel that is passed or abbreviated: true for `c!`, false for `c?`
+    const Type* type = nullptr;       ///< checked; for a call with several results, the type of the first
+    std::optional<Constant> constant; ///< checked: the value, if it is known at compile time
 };
 
 // Processes
 
-/// `i = base FOR count STEP step`
+/// Holds `i = base FOR count STEP step`.
 struct Replicator {
     DeclarationBox index; ///< its form is ReplicatorIndex
     Expression base, count;
@@ -195,25 +196,26 @@ struct Replicator {
 
 struct Skip {};
 struct Stop {};
-/// `a, b := e, f`; one call of a function may give several values.
+/// Holds `a, b := e, f`. One call of a function may give several values.
 struct Assignment {
     std::vector<Expression> targets, values;
 };
-/// An item of an input or an output: `x`, or `n::a`.
+/// Holds an item of an input or an output: `x` or `n::a`.
 struct Item {
     Expression value;
     ExpressionBox counted_array; ///< null unless the item is counted; then `value` is the count
 };
-/// `c ? x; n::a`. Also `clock ? x`, whose channel is a timer, and a port.
+/// Holds `c ? x; n::a`. The channel may also be a timer, as in `clock ? x`, or a port.
 struct Input {
     Expression channel;
     std::vector<Item> items;
 };
-/// `clock ? AFTER e`
+/// Holds `clock ? AFTER e`.
 struct Delay {
     Expression timer, time;
 };
-/// `tag; x` as an option of `c ? CASE`, with its process; `c ? CASE tag; x` has one without a process.
+/// Holds `tag; x` and its process, as an option of `c ? CASE`. In `c ? CASE tag; x` there is one variant, without a
+/// process.
 struct Variant {
     Place at;
     std::vector<DeclarationBox> declarations; ///< before the tag
@@ -226,15 +228,15 @@ struct VariantInput {
     Expression channel;
     std::vector<Variant> variants;
 };
-/// `c ! e; n::a`. The first item of a variant protocol is its tag, as a name.
+/// Holds `c ! e; n::a`. For a variant protocol, the first item is the name of the tag.
 struct Output {
     Expression channel;
     std::vector<Item> items;
-    std::optional<std::uint8_t> tag_value; ///< checked: the first item is a tag
+    std::optional<std::uint8_t> tag_value; ///< checked: the byte of the tag, if the first item is a tag
 };
 struct Sequence {
     std::optional<Replicator> replicator;
-    bool is_do = false;             ///< `DO` of a configuration, whose statements have no order
+    bool is_do = false;             ///< a `DO` of a configuration, whose statements have no order
     std::vector<Process> processes; ///< exactly one if there is a replicator
 };
 struct Parallel {
@@ -244,7 +246,7 @@ struct Parallel {
     std::vector<Process> processes;
 };
 struct If;
-/// A condition with its process, or a nested IF.
+/// Holds a condition and its process, or a nested IF.
 struct Choice {
     Place at;
     std::vector<DeclarationBox> declarations; ///< before the condition
@@ -271,7 +273,7 @@ struct While {
     ProcessBox process;
 };
 struct Alternation;
-/// A guard with its process, or a nested ALT. A guard without an input is `condition & SKIP`.
+/// Holds a guard and its process, or a nested ALT. A guard without an input is `condition & SKIP`.
 struct Alternative {
     Place at;
     std::vector<DeclarationBox> declarations;
@@ -284,35 +286,36 @@ struct Alternation {
     std::optional<Replicator> replicator;
     std::vector<Alternative> alternatives;
 };
-/// `name (arguments)`; the meaning is a Procedure or a predefined one.
+/// Holds `name (arguments)`. The meaning is a Procedure or Predefined.
 struct Instance {
     std::string name;
     std::vector<Expression> arguments;
     const Declaration* meaning = nullptr; ///< checked
 };
-/// Specifications and the process that follows them.
+/// Holds specifications and the process that follows them.
 struct Scope {
     std::vector<DeclarationBox> declarations;
     ProcessBox process;
 };
-/// `PROCESSOR n T8` or `PROCESSOR node` with its process, in configurations only.
+/// Holds `PROCESSOR n T8` or `PROCESSOR node`, and its process. Only configurations have it.
 struct Processor {
     Expression number;
-    std::string type; ///< "" of a node
+    std::string type; ///< "" if a node is named
     ProcessBox process;
 };
 
-/// An end of a connection: `node[link][n]`, or an edge.
+/// Holds an end of a connection: `node[link][n]`, or an edge.
 struct ConnectionEnd {
     Expression path;    ///< a node or an edge
     ExpressionBox link; ///< null for an edge
 };
-/// `CONNECT a[link][0] TO HOST WITH arc`
+/// Holds a statement such as `CONNECT a[link][0] TO HOST WITH arc`.
 struct Connect {
     ConnectionEnd from, to;
     ExpressionBox arc; ///< null without WITH
 };
-/// `type := "T800"` within `SET node (type, memsize := "T800", 2*M)`.
+/// Holds one setting of a SET statement: `SET node (type, memsize := "T800", 2*M)` has the settings `type := "T800"`
+/// and `memsize := 2*M`.
 struct Setting {
     Place at; ///< the name
     std::string name;
@@ -322,13 +325,13 @@ struct SetNode {
     Expression node;
     std::vector<Setting> settings;
 };
-/// `MAP p, q ONTO node PRI HIGH`, or channels onto an arc.
+/// Holds `MAP p, q ONTO node PRI HIGH`, or a MAP of channels onto an arc.
 struct MapOnto {
     std::vector<Expression> mapped;
     Expression onto;
     ExpressionBox priority; ///< null without PRI
 };
-/// A statement of NETWORK or MAPPING.
+/// Holds a statement of NETWORK or MAPPING.
 struct Wiring {
     std::variant<Connect, SetNode, MapOnto> form;
 };
@@ -342,30 +345,30 @@ struct Process {
 
 // Declarations
 
-/// `INT a:`, `CHAN OF P c:`, `TIMER t:`, `INITIAL INT x IS e:`
+/// Holds `INT a:`, `CHAN OF P c:`, `TIMER t:` or `INITIAL INT x IS e:`.
 struct Variable {
     std::shared_ptr<TypeText> type;
     ExpressionBox initial;
 };
-/// `x IS y:`, `VAL INT x IS e:`
+/// Holds `x IS y:` or `VAL INT x IS e:`.
 struct Abbreviation {
     bool is_value = false;
     std::shared_ptr<TypeText> type; ///< null if it is left out
     Expression value;
-    std::optional<bool> written_output = {}; ///< `c!` or `c?` in front of IS
+    std::optional<bool> written_output = {}; ///< true for `c!` in front of IS, false for `c?`
 };
-/// `T x RETYPES y:`, `VAL T x RETYPES e:`, RESHAPES
+/// Holds `T x RETYPES y:` or `VAL T x RETYPES e:`, or the same with RESHAPES.
 struct Retyping {
     bool is_value = false, reshapes = false;
     std::shared_ptr<TypeText> type;
     Expression value;
 };
-/// A parameter of a procedure or function.
+/// Holds a parameter of a procedure or function.
 struct Parameter {
     enum class Passing : std::uint8_t { reference, value, result };
     Passing passing = Passing::reference;
     std::shared_ptr<TypeText> type;
-    std::optional<bool> written_output; ///< `c!` or `c?` after the name
+    std::optional<bool> written_output; ///< true for `c!` as the name, false for `c?`
 };
 struct ReplicatorIndex {};
 struct Procedure {
@@ -373,7 +376,7 @@ struct Procedure {
     ProcessBox body;
     bool is_inline = false;
 };
-/// The body of a function by `IS` has neither declarations nor a process.
+/// If the function is defined by `IS`, its body has neither declarations nor a process.
 struct Function {
     std::vector<std::shared_ptr<TypeText>> results;
     std::vector<DeclarationBox> parameters;
@@ -386,7 +389,7 @@ struct TagText {
     std::string name;
     std::vector<ItemText> items;
 };
-/// A sequential protocol, or a variant one if it has tags.
+/// Holds the declaration of a sequential protocol, or of a variant protocol.
 struct Protocol {
     ProtocolText items;
     bool is_variant = false;
@@ -399,12 +402,13 @@ struct DataType {
         std::string name;
         std::shared_ptr<TypeText> type;
     };
-    std::shared_ptr<TypeText> is;  ///< of DATA TYPE T IS ...
-    std::vector<FieldText> fields; ///< of a RECORD
+    std::shared_ptr<TypeText> is;  ///< the type after `DATA TYPE T IS`; null for a RECORD
+    std::vector<FieldText> fields; ///< fields of a RECORD
     bool is_packed = false;
 };
-/// `PLACE x AT e:`, `PLACE x IN WORKSPACE:`, `PLACE x IN VECSPACE:`. Its name is the name of the placed thing. A
-/// configuration may place elements, and several channels on an arc: `PLACE c[0], d ON arc:`.
+/// Holds `PLACE x AT e:`, `PLACE x IN WORKSPACE:` or `PLACE x IN VECSPACE:`. The declaration's name is the name of the
+/// placed thing. A configuration may also place elements of arrays, and several channels on an arc: `PLACE c[0], d ON
+/// arc:`.
 struct Placement {
     enum class Where : std::uint8_t { address, workspace, vector_space, arc };
     Where where = Where::address;
@@ -412,70 +416,73 @@ struct Placement {
     std::vector<Expression> paths = {};
     Declaration* placed = nullptr; ///< checked
 };
-/// NETWORK, MAPPING, CONFIG, or a PLACED PAR that stands at the outermost level of a file. Its name is the word.
+/// Holds NETWORK, MAPPING, CONFIG, or a PLACED PAR at the outermost level of a file. The declaration's name is this
+/// keyword.
 struct ConfigurationPart {
     ProcessBox process;
 };
-/// `#USE "lib"`: the declarations of that file become visible.
+/// Holds `#USE "lib"`, which makes the declarations of a file visible.
 struct Use {
     std::size_t unit = 0; ///< index in Program::units
 };
-/// A procedure or function of the language itself, such as LONGADD or ASSERT.
+/// Describes a procedure or function of the language itself, such as LONGADD or ASSERT.
 struct Predefined {
     std::vector<const Type*> parameters, results;
     std::vector<Parameter::Passing> passing = {}; ///< how each parameter is passed
 };
 
-/// How a PROC uses a channel parameter or a declared channel.
+/// Says how a PROC uses a channel parameter or a declared channel.
 enum class Direction : std::uint8_t { unused, input, output };
 
 struct Declaration {
-    Place at; ///< its name
+    Place at; ///< place of the name
     std::string name;
     std::variant<Variable, Abbreviation, Retyping, Parameter, ReplicatorIndex, Procedure, Function, Protocol, DataType,
                  Placement, Use, Predefined, ConfigurationPart>
         form;
-    const Type* type = nullptr;              ///< checked: of what has a value, of channels and timers
-    std::optional<Constant> constant;        ///< checked: of VAL abbreviations that are known at compile time
-    Direction direction = Direction::unused; ///< checked: of a channel or channel parameter, within its scope
-    const Placement* placement = nullptr;    ///< checked: null unless it is placed
+    const Type* type = nullptr;       ///< checked: type of a value, channel or timer
+    std::optional<Constant> constant; ///< checked: value of a VAL abbreviation, if it is known at compile time
+    Direction direction =
+        Direction::unused; ///< checked: direction in which a channel or channel parameter is used within its scope
+    const Placement* placement = nullptr; ///< checked: null unless it is placed
 };
 
-/// A file that #USE names, such as a library: its declarations.
+/// Holds the declarations of a file that #USE names, such as a library.
 struct Unit {
     std::string name;
     std::uint32_t file = 0; ///< index in Program::files
     std::vector<DeclarationBox> declarations;
 };
 
-/// A use of a name, or its declaration, with what it means.
+/// Holds a place where a name is used or declared, and the name's meaning.
 struct ResolvedName {
     Place at;
     const Declaration* meaning = nullptr;
 };
 
-/// A program with all of its files.
+/// Holds a program and all its files.
 struct Program {
     std::vector<std::shared_ptr<const SourceFile>> files; ///< the first is the main file
-    std::vector<std::unique_ptr<Unit>> units;             ///< in order of use: each uses only earlier ones
-    std::vector<DeclarationBox> declarations;             ///< of the main file
-    std::vector<DeclarationBox> predefined;               ///< made by the check
-    /// The library predef: routines that the code calls for predefined routines and for reals if there are no
-    /// instructions.
+    std::vector<std::unique_ptr<Unit>> units;             ///< in an order in which each unit uses only earlier units
+    std::vector<DeclarationBox> declarations;             ///< declarations of the main file
+    std::vector<DeclarationBox> predefined;               ///< predefined names, which the checker adds
+    /// The routines of the library predef. The code calls them for predefined routines, and for operations on reals
+    /// that the processor has no instructions for.
     std::vector<DeclarationBox> routines;
     Types types;
-    /// `[c, d]` of channels is an array of them, as an argument. The language has no such tables, but a program that
-    /// joins the processes of a network needs them.
+    /// True: a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
+    /// PlacedPar uses them in the program that it writes to run all processes of a node.
     bool has_channel_tables = false;
-    std::vector<ResolvedName> resolved; ///< checked: all names, except those of configurations
+    std::vector<ResolvedName> resolved; ///< checked: all names, except names in the parts of configurations
     bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }
 };
 
-/// Returns the type as the language writes it: "[4][]BYTE", "CHAN OF INT::[]BYTE".
+/// Returns the type in occam: "[4][]BYTE", "CHAN OF INT::[]BYTE".
 std::string name_of(const Type&);
-/// Returns the bytes of a value in memory. REQUIRES: it is basic, a record, a derived type, or an array of known size.
+/// Returns the number of bytes of a value in memory. REQUIRES: the type is basic, a record, a derived type, or an array
+/// of known size.
 std::uint64_t bytes_of(const Type&);
 
 } // namespace placedpar::occam

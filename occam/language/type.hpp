@@ -10,27 +10,27 @@ namespace placedpar::occam {
 
 struct Declaration; // occam/language/tree.hpp
 
-/// The types that hold a single value. INT has 32 bits, but is another type than INT32.
+/// Lists the types that hold a single value. INT has 32 bits, but differs from INT32.
 enum class Basic : std::uint8_t { boolean, byte, integer, int16, int32, int64, real32, real64 };
 
-/// Returns the name of the language, such as "REAL32".
+/// Returns the type's name in occam, such as "REAL32".
 std::string name_of(Basic);
-/// Returns the number of bytes in memory and on a channel: 1 for BOOL and BYTE.
+/// Returns the number of bytes of a value in memory and on a channel, such as 1 for BOOL and BYTE.
 std::uint32_t bytes_of(Basic);
 bool is_integer(Basic); ///< BYTE, INT, INT16, INT32, INT64
 bool is_real(Basic);
 
 struct Type;
 
-/// A field of a record, in order of its place in memory.
+/// Describes a field of a record.
 struct Field {
     std::string name;
     const Type* type = nullptr;
     std::uint32_t offset = 0; ///< bytes from the start of the record
 };
 
-/// A type of the language. Types are made by a Types table, which makes each type once: two types are equal if their
-/// pointers are.
+/// Describes a type of the language. Only Types makes types, and makes each type once, so that two types are equal if
+/// their addresses are equal.
 struct Type {
     enum class Kind : std::uint8_t {
         basic,
@@ -39,48 +39,51 @@ struct Type {
         derived, ///< DATA TYPE T IS element
         channel, ///< a single channel; its protocol is `protocol`
         timer,
-        port, ///< of `element`
-        node, ///< of a configuration, as are the next two
+        port, ///< a port for values of type `element`
+        node, ///< this kind and the next two exist only in configurations
         arc,
         edge,
-        mistaken ///< type of a wrong expression; it agrees with every type, so that one error does not cause others
+        mistaken ///< type of an expression with an error; agrees with every type, so that one error does not cause
+                 ///< others
     };
     Kind kind = Kind::mistaken;
     Basic basic = Basic::integer;
-    const Type* element = nullptr;                 ///< of an array, a derived type or a port
+    const Type* element = nullptr;                 ///< element of an array; base of a derived type; value of a port
     std::optional<std::uint32_t> count = {};       ///< number of elements of an array; nothing for an open array `[]T`
-    const struct ProtocolType* protocol = nullptr; ///< of a channel
-    const Declaration* declared = nullptr;         ///< of a record or a derived type
-    std::vector<Field> fields = {};                ///< of a record
+    const struct ProtocolType* protocol = nullptr; ///< protocol of a channel
+    const Declaration* declared = nullptr;         ///< declaration of a record or a derived type
+    std::vector<Field> fields = {};                ///< fields of a record, in the order of memory
 
     bool is(Basic b) const { return kind == Kind::basic && basic == b; }
 };
 
-/// An item of a protocol: a value of `type`, or an array preceded by its length of type `count`: `count::[]element`.
+/// Describes an item of a protocol: a value of `type`, or a counted array `count::[]element`, which is sent as a length
+/// of type `count` and the elements.
 struct ProtocolItem {
-    const Type* type = nullptr;  ///< of a counted array: the open array
+    const Type* type = nullptr;  ///< for a counted array: the open array
     const Type* count = nullptr; ///< null unless the array is counted
     bool operator==(const ProtocolItem&) const = default;
 };
 
-/// A tag of a variant protocol with the items that follow it.
+/// Describes a tag of a variant protocol, and the items that follow it.
 struct ProtocolTag {
     std::string name;
     std::uint8_t value = 0; ///< the byte on the channel
     std::vector<ProtocolItem> items = {};
 };
 
-/// The messages that a channel carries. Protocols without a name are equal if their items are equal. Named protocols
-/// are equal if they have the same declaration.
+/// Describes the messages that a channel carries. Two protocols without names are equal if their items are equal. Two
+/// named protocols are equal if they have the same declaration.
 struct ProtocolType {
     enum class Kind : std::uint8_t { any, sequence, variant };
     Kind kind = Kind::any;
-    const Declaration* declared = nullptr; ///< null unless it has a name
+    const Declaration* declared = nullptr; ///< declaration of a named protocol; null if the protocol has no name
     std::vector<ProtocolItem> items = {};  ///< items of a sequence
-    std::vector<ProtocolTag> tags = {};    ///< tags of a variant, including the tags of another variant that it names
+    std::vector<ProtocolTag> tags =
+        {}; ///< tags of a variant protocol, including the tags of other protocols that it extends
 };
 
-/// Makes the types of a program, each once, and owns them.
+/// Makes each type of a program once, and owns the types.
 class Types {
 public:
     const Type* basic(Basic);
@@ -90,7 +93,7 @@ public:
     const Type* timer();
     const Type* hardware(Type::Kind); ///< node, arc or edge
     const Type* mistaken();
-    /// Make a new type or protocol for a declaration.
+    /// These functions make a new type or protocol for a declaration.
     const Type* record(const Declaration*, std::vector<Field>);
     const Type* derived(const Declaration*, const Type* element);
     const ProtocolType* protocol(ProtocolType);

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",  "B
                                                              "FROM",  "IS",   "MINUS",  "NOT",    "OR",    "PLUS",
                                                              "REM",   "SIZE", "TIMES",  "RETYPES"};
 
-/// The symbols. A symbol comes before the shorter symbols with which it begins.
+/// Lists the symbols. Each symbol comes before all shorter symbols with which it begins.
 constexpr std::array<std::string_view, 33> symbols = {
     ":=", "::", "<=", ">=", "<>", "<<", ">>", "><", "/\\", "\\/", "+", "-", "*", "/", "\\", "=", "<",
     ">",  "~",  "(",  ")",  "[",  "]",  ",",  ";",  ":",   "?",   "!", "&", "|", "@", "{",  "}"};
@@ -171,7 +171,7 @@ void WordScanner::take_digits_of(Word& word) {
             for (position_ += 2; digit_at(position_);)
                 ++position_;
         else if (at(position_) == 'E' || at(position_) == 'e') {
-            error(position_, "an exponent has a capital E, a sign and digits", "write it so: 1.0E+20");
+            error(position_, "an exponent has a capital E, a sign and digits", "write the number like 1.0E+20");
             word.kind = WordKind::illegal;
         }
     }
@@ -215,7 +215,7 @@ void WordScanner::refuse_byte(Word& word) {
     const auto byte = static_cast<unsigned char>(at(position_));
     error(position_, byte > 0x20 && byte < 0x7f
                          ? fmt::format("occam has no symbol \"{}\"", static_cast<char>(byte))
-                         : fmt::format("the byte 0x{:02x} can stand in a string or in a comment only", unsigned{byte}));
+                         : fmt::format("the byte 0x{:02x} is allowed only in a string or a comment", unsigned{byte}));
     while (position_ < line_.size() && (static_cast<unsigned char>(line_[position_]) == byte || byte > 0x7f) &&
            (byte <= 0x7f || static_cast<unsigned char>(line_[position_]) > 0x7f))
         ++position_;
@@ -233,7 +233,8 @@ void WordScanner::take_character(Word& word) {
         return;
     }
     word.kind = WordKind::illegal;
-    error(start, "a character stands between two quotes: 'a', '*n', '*''", "text stands between double quotes");
+    error(start, "a character is written between two single quotes: 'a', '*n', '*''",
+          "write text between double quotes");
     if (const auto end = line_.find('\'', start + 1); end != std::string_view::npos)
         position_ = std::max(position_, end + 1);
 }

@@ -21,35 +21,39 @@ enum class WordKind : std::uint8_t {
     string,
     symbol,
     directive, ///< `#USE`, at the start of a line
-    illegal,   ///< has been reported
-    end        ///< of a line, or of the file
+    illegal,   ///< text that has been reported as an error
+    end        ///< end of a line, or of the file
 };
 
-/// A word of a line. Its text lies in the source file.
+/// Holds a word of a line. `text` refers to the text of the source file.
 struct Word {
     WordKind kind = WordKind::end;
     std::string_view text = {};
     Place at = {};
-    std::uint32_t indentation = 0; ///< blanks in front of it, with tabs and the indentation of an #INCLUDE
-    std::string bytes = {};        ///< bytes of a character or string, with escapes resolved; the file of #USE
+    std::uint32_t indentation =
+        0;                  ///< number of blanks in front of the word, counting tabs and the indentation of an #INCLUDE
+    std::string bytes = {}; ///< bytes of a character or string, with escapes resolved; for #USE, the name of the file
 
     bool is(std::string_view symbol) const { return kind == WordKind::symbol && text == symbol; }
-    /// Returns whether it is this keyword, or a name with this text. Words of later versions of the language are names.
+    /// Returns whether this is the keyword `word`, or a name with this text. The keywords of later versions of occam
+    /// are names here.
     bool is_word(std::string_view word) const {
         return (kind == WordKind::keyword || kind == WordKind::name) && text == word;
     }
 };
 
-/// Returns whether the text is a keyword of occam 2. The words of later versions, such as STEP, are words only where
-/// the language expects them, so that old programs can use them as names.
+/// Returns whether the text is a keyword of occam 2. A keyword of a later version, such as STEP, is a name except where
+/// the language expects this keyword, so that old programs can use it as a name.
 bool is_keyword(std::string_view text);
 std::span<const std::string_view> all_keywords();
 /// Returns "the name \"x\"", "the keyword \"SEQ\"", "\":=\"", "the end of the line" for messages.
 std::string describe(const Word&);
-/// Returns whether a line continues below this word: it is an operator, `,`, `:=`, `IS` or the like.
+/// Returns whether a line that ends with this word continues on the next line: the word is an operator, `,`, `:=`, `IS`
+/// or the like.
 bool continues_line(const Word&);
 
-/// Returns the directive that a line begins with, such as "#USE"; "" if there is none. #FEED is a number.
+/// Returns the directive that a line begins with, such as "#USE"; "" if there is none. A number such as #FEED is not a
+/// directive.
 std::string_view directive_of(std::string_view line);
 
 /// Splits lines of a file into words. Reports text that is not a word.
@@ -58,9 +62,9 @@ public:
     WordScanner(const Program& program, Reporter& reporter) : program_(program), reporter_(reporter) {}
 
     /// Appends the words of a line to `words`. `indentation` is added to the indentation of each word. Returns whether
-    /// the line ends within a string, by a `*`. Then continue_string() is called with the next line.
+    /// the line ends with a `*` within a string; the caller then calls continue_string() with the next line.
     bool scan(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
-    /// Scans a line that continues a string, which is the last of the words.
+    /// Scans a line that continues a string. REQUIRES: the string is the last of `words`.
     bool continue_string(std::string_view line, Place start, std::uint32_t indentation, std::vector<Word>& words);
 
 private:
@@ -84,9 +88,9 @@ private:
     std::string_view line_;
     Place start_;
     std::size_t position_ = 0;
-    std::uint32_t blanks_ = 0; ///< blanks in front of position_, if all in front of it were blanks
+    std::uint32_t blanks_ = 0; ///< number of blanks in front of position_, if the line has only blanks there
     std::uint32_t indentation_ = 0;
-    std::size_t counted_ = 0; ///< bytes of the line that are in blanks_
+    std::size_t counted_ = 0; ///< number of bytes of the line that blanks_ counts
 };
 
 } // namespace placedpar::occam

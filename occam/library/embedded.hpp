@@ -4,8 +4,8 @@
 
 namespace placedpar::occam::embedded {
 
-/// Each function returns the text of the file in this folder after which it is named. The build makes the definitions
-/// (CMakeLists.txt of the room).
+/// Each function returns the text of a file in this folder, such as convert.occ for convert_occ(). The build makes the
+/// definitions (CMakeLists.txt of the room).
 std::string convert_occ();
 std::string course_occ();
 std::string dblmath_occ();

@@ -7,12 +7,13 @@
 
 namespace placedpar::occam {
 
-/// Returns the text of one of PlacedPar's libraries or files of constants, by its name in #USE or #INCLUDE:
-/// "hostio.lib", "hostio.inc". The name has small letters and no path. Nothing if there is none. Any extension but
-/// ".inc" names a library: "hostio.tco", "hostio.occ", "course.module"; so does a name without one.
+/// Returns the text of one of PlacedPar's libraries or files of constants; nothing if there is none of this name.
+/// `name` is a name in #USE or #INCLUDE, such as "hostio.lib" or "hostio.inc", in small letters and without a path. A
+/// name without an extension, or with any extension other than ".inc", names a library: "hostio", "hostio.tco",
+/// "course.module".
 std::optional<std::string> library_text(std::string_view name);
 
-/// Returns the names that a message can propose, such as "hostio.lib", in alphabetic order.
+/// Returns the names that a message can suggest, such as "hostio.lib", in alphabetical order.
 std::vector<std::string> library_names();
 
 } // namespace placedpar::occam

@@ -30,7 +30,7 @@ namespace {
 using FilePath = std::filesystem::path;
 using Folders = std::vector<FilePath>;
 
-/// A file that was read, with all that it includes and uses.
+/// Holds a file that was read, and all files that it includes or uses.
 struct FileOfPrograms {
     std::unique_ptr<Program> program;
     SourceOptions options;
@@ -38,17 +38,17 @@ struct FileOfPrograms {
     bool failed = false;
 };
 
-/// What an image is made of. The text has the parameters of the processes.
+/// Holds everything from which an image is made. The parameters of the processes are in the text.
 struct ImageSource {
     std::string text;
-    std::vector<std::string> names; ///< of the node, of its type, and of the processes
+    std::vector<std::string> names; ///< names of the node, of its type, and of the processes
     Folders folders;
-    std::vector<const FileOfPrograms*> files; ///< of the processes
+    std::vector<const FileOfPrograms*> files; ///< files of the processes
 
     auto operator<=>(const ImageSource&) const = default;
 };
 
-/// A kind that was made of a file. It stays as it is, for others point to it.
+/// Holds a kind that was made from a file. It is never changed or removed, since other objects have its address.
 struct KindOfFile {
     std::shared_ptr<const FileOfPrograms> file;
     Folders folders;
@@ -66,7 +66,7 @@ ParseOptions parse_options(const Folders& folders) {
 
 bool is_built_in(const SourceFile& file) { return file.path().starts_with('<'); }
 
-/// Returns whether the files of the program are as they were when they were read.
+/// Returns whether no file of the program has changed since it was read.
 bool is_unchanged(const Program& program) {
     return std::ranges::all_of(program.files, [](const std::shared_ptr<const SourceFile>& file) {
         return is_built_in(*file) || load_source(file->path()).file->text() == file->text();
@@ -81,8 +81,9 @@ std::uint64_t hash_of(const Program& program) {
     return hash;
 }
 
-/// Parses and checks a text. `is_of_user`: it is not one that joins the processes of a network, whose channels have one
-/// process at each end.
+/// Parses and checks a text. `is_of_user` is false for a text that PlacedPar has made to join the processes of a
+/// network. The usage of variables and channels is not checked there, since each channel of a network has one process
+/// at each end.
 FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
                                   bool is_of_user) {
     Reporter reporter;
@@ -97,7 +98,7 @@ FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file,
     return {std::move(parsed.program), parsed.options, reporter.take(), failed};
 }
 
-/// Reports the errors of a file, each with the place that names the file.
+/// Reports the errors of a file, each with a note at the place that names the file.
 void pass_errors_on(const FileOfPrograms& file, const std::string& note, const Location& named_at, Reporter& to) {
     for (Diagnostic each : file.diagnostics) {
         if (each.severity != Severity::error)
@@ -133,8 +134,8 @@ void report_no_procedure(const Program& program, const std::string& name, const 
                        did_you_mean(name, procedures_of(program)));
 }
 
-/// Returns the last procedure of this name, or the last one if the name is empty. Null after reporting that there is
-/// none.
+/// Returns the last procedure of this name; if the name is empty, the last procedure of the file. Returns null after
+/// reporting that there is none.
 const Declaration* procedure_named(const Program& program, const std::string& name, const Location& named_at,
                                    Reporter& reporter) {
     const Declaration* last = nullptr;
@@ -146,7 +147,8 @@ const Declaration* procedure_named(const Program& program, const std::string& na
     return last;
 }
 
-/// Returns where the first process of a node that is code is declared; the node itself if it only passes messages on.
+/// Returns the declaration of the first process on the node that is code; the declaration of the node if it only passes
+/// messages on.
 const Location& place_of_code(const Network& network, std::size_t node) {
     const auto first = std::ranges::find_if(
         network.processes, [&](const ProcessInstance& process) { return process.is_code && process.node == node; });
@@ -229,7 +231,7 @@ private:
         return found == newest_.end() ? nullptr : found->second;
     }
 
-    /// Returns the path of the file; nothing after reporting that there is none.
+    /// Returns the path of the file; nothing after reporting that the file is missing.
     static std::optional<FilePath> path_of(const std::string& file, const Location& named_at, const Folders& folders,
                                            Reporter& reporter) {
         Folders all{named_at.file ? FilePath(named_at.file->path()).parent_path() : FilePath()};
@@ -244,8 +246,8 @@ private:
         return std::nullopt;
     }
 
-    /// Reads a file, unless it and all that it includes are as they were before. Reports its warnings when it is read.
-    /// Returns null after reporting that it cannot be read.
+    /// Reads a file, unless it was read before and neither it nor a file that it includes has changed since. Reports
+    /// warnings only when it reads the file. Returns null after reporting that the file cannot be read.
     std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
                                                     Reporter& reporter) {
         std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
@@ -261,8 +263,9 @@ private:
         return known;
     }
 
-    /// Names the workspaces and the code of the components of the text. A process within one has its name behind it:
-    /// "table/phil[2]". What is not of the netlist has the name of the node in front.
+    /// Names the workspaces and the code of the components of the text. For a process within a component, the name of
+    /// the component comes first: "table/phil[2]". If the netlist has no name for a process, the name of the node comes
+    /// first.
     static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
         std::erase_if(code.workspaces,
@@ -270,7 +273,7 @@ private:
         std::size_t outermost = 0;
         for (const CodeWorkspace& each : code.workspaces)
             outermost = std::max(outermost, each.outermost + 1);
-        std::map<std::string, std::string> names; // by those that the compiler has given
+        std::map<std::string, std::string> names; // names of components; key: name from the compiler
         for (CodeWorkspace& each : code.workspaces) {
             const Component none{};
             const Component& component = outermost == all.size() ? all[each.outermost] : none;
@@ -288,7 +291,7 @@ private:
     }
 
     /// Returns rows of transputer::CodeLines that give channels their names in the network. If a channel leads to
-    /// another processor, its two ends have the same name, though words of two memories are between them.
+    /// another processor, its two ends have the same name, although they are words of two memories.
     static std::string channel_rows(const Code& code, const TextOfImage& text, transputer::Word first_workspace) {
         std::string rows;
         for (const CodeChannel& each : code.channels)
@@ -305,7 +308,7 @@ private:
         return {kind.path, kind.file->program.get(), kind.procedure};
     }
 
-    /// Sets what the files of the node's processes ask for, and returns the folders of one of them.
+    /// Sets the options that the files of the node's processes request, and returns the folders of one of these files.
     Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
         Folders folders;
         for (const ProcessInstance& process : network.processes)
@@ -320,7 +323,7 @@ private:
         return folders;
     }
 
-    /// Returns the program of a node, which is compiled unless it has been before: a study makes many runs of it.
+    /// Returns the program of a node. Compiles it only once, since a study makes many runs of the same program.
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
         constexpr std::size_t most_images = 1000;
         CodeOptions options{.mode = error_mode(chosen_.mode),
@@ -376,7 +379,7 @@ private:
     CompileChoices chosen_;
     std::map<std::pair<std::string, Folders>, std::shared_ptr<const FileOfPrograms>> files_;
     std::map<ImageSource, std::shared_ptr<const transputer::Image>> images_;
-    std::list<KindOfFile> all_; ///< also those of files that have changed since
+    std::list<KindOfFile> all_; ///< all kinds, including kinds from files that have changed since
     std::map<std::string, const KindOfFile*, std::less<>> newest_;
 };
 

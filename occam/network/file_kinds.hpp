@@ -6,7 +6,7 @@
 
 namespace placedpar::occam {
 
-/// Returns what makes process kinds of files in occam (docs/reference/netlist-language.md).
+/// Returns an object that makes process kinds from files in occam (docs/reference/netlist-language.md).
 std::shared_ptr<FileKinds> make_file_kinds();
 
 } // namespace placedpar::occam

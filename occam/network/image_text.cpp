@@ -32,7 +32,7 @@ std::string declaration_of(const ProtocolType& protocol) {
     return text + ":\n";
 }
 
-/// Returns a text in quotes, with the escapes of the language.
+/// Returns the text as a string of occam, in quotes and with escapes.
 std::string quoted(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
@@ -93,7 +93,7 @@ public:
     }
 
 private:
-    /// Components of one priority.
+    /// Holds the components of one priority.
     struct Components {
         std::vector<Component> all;
         std::string text;
@@ -119,8 +119,9 @@ private:
         return "  PRI PAR\n    PAR\n" + high_.text + (low_.text.empty() ? "    SKIP\n" : "    PAR\n" + low_.text);
     }
 
-    /// Adds a process. If others of high priority carry messages, and so never end, the program ends with the processes
-    /// of low priority. One of these then waits for the end of each process of high priority.
+    /// Adds a process. Processes of high priority that carry messages never end, so a program with such processes ends
+    /// with its processes of low priority. A process of low priority then waits for the end of each other process of
+    /// high priority.
     void add(const ProcessInstance& process, const std::string& indentation) {
         Components& to = process.high_priority ? high_ : low_;
         const bool is_awaited = process.high_priority && carries_;
@@ -273,7 +274,8 @@ private:
         place(name, *link_to_host(n_, node_) + first_address);
     }
 
-    /// Returns whether a channel of the server's protocol is an input. The first of two is, if the procedure uses none.
+    /// Returns whether a channel of the server's protocol is an input. If the procedure uses neither of its two
+    /// channels, the first is the input.
     bool is_input_of_server(const ProcessInstance& process, const Declaration& parameter) const {
         if (const Direction direction = direction_of(parameter); direction != Direction::unused)
             return direction == Direction::input;
@@ -288,11 +290,11 @@ private:
     std::size_t node_;
     const ProgramOf& program_of_;
     NodeRoutes ways_;
-    bool carries_; ///< processes of high priority carry messages of others
+    bool carries_; ///< processes of high priority carry messages of other processes
     TextOfImage image_;
     Components high_, low_;
     std::map<std::string, std::string> protocols_; ///< declarations by name
-    std::set<std::string> servers_;                ///< channels to and from the host that are declared
+    std::set<std::string> servers_;                ///< declared channels to and from the host
     std::string wire_protocols_, declarations_;
     std::string ends_; ///< inputs that wait for the ends of processes of high priority
 };

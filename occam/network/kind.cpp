@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The C++ type that all ports of occam have.
+/// All ports of processes in occam have this C++ type.
 struct BytesOfItems {};
 
 const Type& plain_type(const Type& type) { return type.kind == Type::Kind::derived ? plain_type(*type.element) : type; }
@@ -44,7 +44,7 @@ std::vector<std::type_index> types_of_basic(Basic basic, bool counted) {
     return single_or_counted<std::int32_t>(counted);
 }
 
-/// Returns the C++ types whose byte form is that of the protocol.
+/// Returns the C++ types that have the byte form of the protocol.
 std::vector<std::type_index> byte_types_of(const ProtocolType& protocol) {
     if (protocol.kind != ProtocolType::Kind::sequence || protocol.items.size() != 1)
         return {};
@@ -60,7 +60,7 @@ std::vector<std::type_index> byte_types_of(const ProtocolType& protocol) {
                                                          : std::vector<std::type_index>{};
 }
 
-/// Makes a kind of the parameters of a procedure.
+/// Makes a kind from the parameters of a procedure.
 class KindMaker {
 public:
     KindMaker(const Program& program, const Declaration& procedure, Reporter& reporter)
@@ -91,8 +91,8 @@ private:
             kind_.parameters.push_back(description::text(netlist_name(parameter.name), {}, about(parameter)));
         else
             refuse(parameter,
-                   fmt::format("a netlist cannot set the parameter \"{}\" of PROC {}, whose type is {}{}",
-                               parameter.name, procedure_.name, is_value ? "VAL " : "", name_of(type)),
+                   fmt::format("a netlist cannot set the parameter \"{}\" of PROC {}: its type is {}{}", parameter.name,
+                               procedure_.name, is_value ? "VAL " : "", name_of(type)),
                    "a netlist can set channels, VAL scalars, and a text for VAL []BYTE");
     }
 

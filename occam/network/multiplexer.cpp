@@ -15,7 +15,8 @@ namespace placedpar::occam {
 
 namespace {
 
-/// A form that the messages of a channel have: the only one, or that of a tag.
+/// Describes one form of a channel's messages. A variant protocol has a form for each tag; any other protocol has one
+/// form.
 struct MessageForm {
     std::string tag; ///< empty if the protocol has no tags
     const std::vector<ProtocolItem>* items;
@@ -36,7 +37,7 @@ std::string tag_on_wire(const CarriedChannel& channel, const MessageForm& form) 
 
 std::string taken(const CarriedChannel& channel) { return fmt::format("netlist.taken.{}", channel.number); }
 
-/// Variables for the items of a message in each form.
+/// Makes the variables for the items of a message in each form.
 class MessageVariables {
 public:
     MessageVariables(const CarriedChannel& channel, const std::string& prefix) : channel_(channel), prefix_(prefix) {}
@@ -50,7 +51,7 @@ public:
         return text;
     }
 
-    /// Returns the items of a form, to be input or output: "x; n::a".
+    /// Returns the items of a form for an input or output: "x; n::a".
     std::string items(std::size_t form) const {
         std::vector<std::string> names;
         const std::vector<ProtocolItem>& items = *forms_of(*channel_.protocol)[form].items;
@@ -59,7 +60,7 @@ public:
         return fmt::format("{}", fmt::join(names, "; "));
     }
 
-    /// Returns the items behind a tag.
+    /// Returns the tag and the items after it.
     std::string behind(const std::string& tag, std::size_t form) const {
         const std::string all = items(form);
         return tag + (tag.empty() || all.empty() ? "" : "; ") + all;
@@ -118,7 +119,8 @@ private:
             {fmt::format("{} of link[{}]{}{}", what, at_, of ? ", " : "", of ? of->name : ""), std::move(text), true});
     }
 
-    /// The queue never has more than one entry for each channel, and the one that is being sent.
+    /// Returns the number of entries that the queue has room for. The queue has at most one entry for each channel, and
+    /// the entry that is being sent.
     std::size_t room() const { return std::bit_ceil(w_.leaving.size() + w_.arriving.size() + 2); }
 
     std::string protocol(const char* direction, const std::vector<CarriedChannel>& with,
@@ -208,14 +210,14 @@ private:
     const SharedWire& w_;
     std::string at_; ///< number of the link
     CarrierText text_;
-    std::size_t entries_ = 0; ///< that the queue can have
+    std::size_t entries_ = 0; ///< number of kinds of entries so far
 };
 
 } // namespace
 
 namespace {
 
-/// Returns whether a program may see an array as one of another type, with another number of elements.
+/// Returns whether a program may give an array another type, with another number of elements.
 bool sees_arrays_otherwise(const Program& program) {
     return std::ranges::any_of(program.files, [](const std::shared_ptr<const SourceFile>& file) {
         return !file->path().starts_with('<') && (file->text().find("RETYPES") != std::string::npos ||
@@ -223,7 +225,7 @@ bool sees_arrays_otherwise(const Program& program) {
     });
 }
 
-/// Returns whether values of the type have a size that is known.
+/// Returns whether the size of values of the type is known.
 bool has_size(const Type& type) {
     if (type.kind == Type::Kind::array)
         return type.count && has_size(*type.element);
@@ -231,7 +233,7 @@ bool has_size(const Type& type) {
            (type.kind == Type::Kind::derived && has_size(*type.element));
 }
 
-/// Returns the greatest value of the type of a count.
+/// Returns the greatest value of a count of this type.
 std::uint64_t most_of(const Type& count) {
     return count.kind == Type::Kind::derived ? most_of(*count.element)
            : count.is(Basic::byte)           ? 255

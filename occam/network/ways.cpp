@@ -15,10 +15,10 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The links over which a channel arrives at a node, and leaves it.
+/// Describes the links over which a channel arrives at a node and leaves the node.
 struct LinksOfChannel {
     std::optional<std::size_t> arrives_over, leaves_over; ///< connections
-    int in = 0, out = 0;                                  ///< links
+    int in = 0, out = 0;                                  ///< numbers of these links at the node
 };
 
 class WaySearch {
@@ -118,14 +118,15 @@ private:
             if (const std::size_t count = count_of_messages(*with, *against); count > 256)
                 throw UserError(fmt::format(
                     "{}.link[{}] carries {} channels in one direction and {} in the other, with {} kinds of messages "
-                    "and acknowledgements, but 256 are possible: use more wires, or fewer channels",
+                    "and acknowledgements, but at most 256 are possible: use more wires, or fewer channels",
                     n_.nodes[node_].name, wire.link, wire.leaving.size(), wire.arriving.size(), count));
     }
 
     const Network& n_;
     std::size_t node_;
     const ProgramOf& program_of_;
-    std::vector<std::size_t> loads_; ///< channels of code on each connection: 2 i from b to a, 2 i + 1 from a to b
+    std::vector<std::size_t>
+        loads_; ///< number of channels on each connection i: element 2 i from b to a, element 2 i + 1 from a to b
     NodeRoutes ways_;
 };
 

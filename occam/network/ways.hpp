@@ -12,9 +12,9 @@
 
 namespace placedpar::occam {
 
-/// A procedure of a file, as the program of a process.
+/// Describes the procedure of a file that is the program of a process.
 struct ProgramOfProcess {
-    std::string path; ///< of the file
+    std::string path; ///< path of the file
     const Program* program = nullptr;
     const Declaration* procedure = nullptr;
 };
@@ -22,20 +22,21 @@ struct ProgramOfProcess {
 /// Returns the program of a process.
 using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
 
-/// The channels of code that lead over wires of a node.
+/// Holds the channels of processes that are code on the wires of one node.
 struct NodeRoutes {
-    /// A channel that passes from a wire to another one, which both carry nothing else in its direction.
+    /// Describes a channel that passes from one wire to another. Neither wire carries another channel in this
+    /// direction.
     struct Relay {
         CarriedChannel channel;
-        int out; ///< number of the link by which it leaves
+        int out; ///< number of the link by which the channel leaves
     };
-    std::map<std::size_t, SharedWire> shared; ///< by connection
+    std::map<std::size_t, SharedWire> shared; ///< shared wires of the node; key: connection
     std::vector<Relay> relays;
     std::vector<CarriedChannel> passing;  ///< channels that neither begin nor end on the node
-    std::map<std::size_t, int> addresses; ///< by channel: the word of memory of a channel that is placed at a link
+    std::map<std::size_t, int> addresses; ///< key: channel that is placed at a link; value: memory word of the link
 };
 
-/// Returns the ways over a node. Throws UserError if a wire cannot carry its channels.
+/// Returns the channels over the wires of a node. Throws UserError if a wire cannot carry its channels.
 NodeRoutes ways_over(const Network&, std::size_t node, const ProgramOf&);
 
 } // namespace placedpar::occam

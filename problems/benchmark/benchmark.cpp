@@ -19,7 +19,7 @@ void add_benchmark_problems(ProblemRegistry& problems) {
           minimised<G05>(),        minimised<G06>(),         minimised<Zdt1>(),         minimised<Zdt2>(),
           minimised<Zdt3>(),       minimised<Zdt4>()})
         problems.add(family);
-    problems.add_reader("tsp", {"a travelling salesman's file of TSPLIB",
+    problems.add_reader("tsp", {"a travelling-salesman file of TSPLIB",
                                 [](const std::string& file) { return minimise(read_tour_file(file)); }});
 }
 

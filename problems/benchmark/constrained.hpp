@@ -20,7 +20,7 @@ namespace placedpar {
 // criteria for the CEC 2006 special session", 2006): all are minimised, and an equation h(x) = 0 is satisfied if
 // |h(x)| <= 0.0001. optimum() is the best known value under this tolerance.
 
-/// A base class of problems whose parameters have the ranges Function::ranges().
+/// Base class of the problems; the ranges of the parameters are Function::ranges().
 template <class Function>
 struct WithinRanges {
     using X = std::span<const double>;
@@ -42,7 +42,7 @@ protected:
     static double sum_of(X x) { return std::accumulate(x.begin(), x.end(), 0.0); }
     static double product_of(X x) { return std::accumulate(x.begin(), x.end(), 1.0, std::multiplies()); }
     static double sum_of_squares(X x) { return std::inner_product(x.begin(), x.end(), x.begin(), 0.0); }
-    /// Returns the constraint of an equation h(x) = 0.
+    /// Returns the constraint for an equation h(x) = 0, given h(x).
     static double equation(double h) { return std::abs(h) - 1e-4; }
 };
 
@@ -90,7 +90,7 @@ struct G02 : WithinRanges<G02> {
 };
 
 struct G03 : WithinRanges<G03> {
-    static constexpr std::string_view name = "g03", about = "G03: 10 parameters, which one equation puts on a sphere";
+    static constexpr std::string_view name = "g03", about = "G03: 10 parameters; one equation puts them on a sphere";
     double optimum() const { return -1.0005001; }
     static std::vector<RealRange> ranges() { return std::vector<RealRange>(10, {0, 1}); }
     double objective(X x) const {

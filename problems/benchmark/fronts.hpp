@@ -18,7 +18,8 @@ namespace placedpar {
 // Problems with two objectives, both minimised (E. Zitzler, K. Deb and L. Thiele, "Comparison of multiobjective
 // evolutionary algorithms: empirical results", 2000). On the front, f_1 = x_1 and the other parameters are 0.
 
-/// A base class. `Function::second(f, g)` is the second objective, as a function of the first and of the distance g.
+/// Base class of the problems. `Function::second(f, g)` is the second objective, as a function of the first objective f
+/// and of the distance g.
 template <class Function>
 struct Zdt : OverBox<Function> {
     static constexpr std::size_t usual_dimensions = 30, usual_bits = 30, least_dimensions = 2;
@@ -28,7 +29,7 @@ struct Zdt : OverBox<Function> {
     std::vector<double> objectives(std::span<const double> x) const {
         return {x[0], Function::second(x[0], Function::distance(x.subspan(1)))};
     }
-    /// Returns 1 + 9 times the mean.
+    /// Returns 1 + 9 times the mean of x.
     static double distance(std::span<const double> x) {
         return 1 + 9 * std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
     }

@@ -86,8 +86,8 @@ double Ackley::objective(std::span<const double> x) const {
     return 20 + std::numbers::e - 20 * std::exp(-0.2 * std::sqrt(sum_of(x, square) / count)) - std::exp(waves / count);
 }
 
-/// Each computation uses the result of the previous one, so that the compiler cannot leave any out. The share of that
-/// result is too small to change the value.
+/// Each computation uses the result of the previous one, so that the compiler cannot leave out any computation. The
+/// previous result is multiplied by `share`, which is too small to change the value.
 double Costly::objective(std::span<const double> x) const {
     constexpr double share = 1e-300;
     double value = 0;

@@ -12,19 +12,19 @@
 
 namespace placedpar {
 
-// Functions of real numbers, which are to be minimised. optimum() is the minimum over all real numbers, so perhaps no
-// binary string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic adaptive
-// systems", 1975), by default with his dimensions and bits.
+// Functions of real numbers; all are minimised. optimum() is the minimum over all real numbers, so perhaps no binary
+// string reaches it. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic adaptive systems",
+// 1975), by default with his dimensions and bits.
 
-/// A base class of functions whose parameters all have the range from Function::low to Function::high.
+/// Base class of functions whose parameters all have the range from Function::low to Function::high.
 template <class Function>
 struct OverBox {
     std::size_t dimensions = Function::usual_dimensions;
     std::size_t bits = Function::usual_bits; ///< bits of each parameter
     static constexpr auto numbers() {
-        return std::tuple(
-            PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000, "parameters"},
-            PolicyNumber{"bits", &Function::bits, 1, 52, "bits of each parameter"});
+        return std::tuple(PolicyNumber{"dimensions", &Function::dimensions, Function::least_dimensions, 10000,
+                                       "number of parameters"},
+                          PolicyNumber{"bits", &Function::bits, 1, 52, "bits of each parameter"});
     }
     static constexpr std::size_t least_dimensions = 1;
     ParameterCoding representation() const { return {dimensions, {Function::low, Function::high, bits}}; }
@@ -131,17 +131,17 @@ struct Ackley : OverBox<Ackley> {
     double objective(std::span<const double> x) const;
 };
 
-/// Rastrigin's function, computed `work` times, so that an evaluation takes as long as the user wants.
+/// Rastrigin's function, computed `work` times, so that an evaluation takes as long as the user needs.
 struct Costly : OverBox<Costly> {
-    static constexpr std::string_view name = "costly",
-                                      about = "Rastrigin's function computed `work` times, to make an evaluation as "
-                                              "long as is wanted";
+    static constexpr std::string_view
+        name = "costly",
+        about = "Rastrigin's function, computed `work` times so that an evaluation takes as long as needed";
     static constexpr std::size_t usual_dimensions = 2, usual_bits = 16;
     static constexpr double low = -5.12, high = 5.12;
-    std::size_t work = 1; ///< computations in each evaluation
+    std::size_t work = 1; ///< number of computations in each evaluation
     static constexpr auto numbers() {
-        return std::tuple_cat(OverBox::numbers(),
-                              std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9, "computations of the function"}));
+        return std::tuple_cat(OverBox::numbers(), std::tuple(PolicyNumber{"work", &Costly::work, 1, 1e9,
+                                                                          "number of computations of the function"}));
     }
     double objective(std::span<const double> x) const;
 };

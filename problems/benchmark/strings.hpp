@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-// Problems of binary strings, whose objectives are to be maximised.
+// Problems of binary strings; all objectives are maximised.
 
 /// The number of ones.
 struct OneMax {
@@ -36,7 +36,7 @@ struct Trap {
     std::size_t blocks = 10, size = 5;
     static constexpr auto numbers() {
         return std::tuple(PolicyNumber{"blocks", &Trap::blocks, 1, 1e5, "number of blocks in a string"},
-                          PolicyNumber{"size", &Trap::size, 2, 64, "bits of a block"});
+                          PolicyNumber{"size", &Trap::size, 2, 64, "number of bits in a block"});
     }
     BitString representation() const { return BitString(blocks * size); }
     double objective(const Genome& genome) const;
@@ -44,7 +44,7 @@ struct Trap {
 };
 
 /// The objective is a sum of one contribution for each bit of the string. A contribution depends on the bit and the k
-/// bits after it; after the last bit comes the first.
+/// bits after it; the bits form a ring, so the first bit follows the last.
 class Landscape {
 public:
     /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among them is the natural binary number in the

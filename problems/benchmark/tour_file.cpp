@@ -135,7 +135,7 @@ private:
     /// Throws UserError for a second line of this keyword or section.
     void require_first(const std::string& name) {
         if (name != "COMMENT" && !seen_.insert(name).second)
-            refuse(fmt::format("a second \"{}\": the file may have one", name));
+            refuse(fmt::format("\"{}\" occurs twice, expected once", name));
     }
 
     void specify(const std::string& key, const std::string& value) {
@@ -160,7 +160,7 @@ private:
         if (cities_ == 0)
             refuse(fmt::format("DIMENSION is missing before \"{}\"", name));
         if (!distances_.empty() && name != "DISPLAY_DATA_SECTION")
-            refuse(fmt::format("\"{}\": the section before it has given all distances", name));
+            refuse(fmt::format("\"{}\" is one section too many: an earlier section has given all distances", name));
         if (name == "NODE_COORD_SECTION")
             take_coordinates(read_coordinates());
         else if (name == "EDGE_WEIGHT_SECTION")
@@ -185,7 +185,7 @@ private:
             if (!(words >> city >> place.x >> place.y) || !(words >> std::ws).eof() || city < 1 || city > cities_)
                 refuse(fmt::format("expected a city from 1 to {} and its two coordinates, not \"{}\"", cities_, line));
             if (found[city - 1])
-                refuse(fmt::format("city {} has coordinates already", city));
+                refuse(fmt::format("city {} has coordinates twice, expected once", city));
             found[city - 1] = place;
         }
         std::vector<City> all;
@@ -242,7 +242,7 @@ private:
     std::istringstream text_, weights_; ///< the whole file; the current line of a matrix
     std::size_t number_ = 0;            ///< number of the current line
     std::size_t cities_ = 0;
-    std::set<std::string> seen_; ///< keywords and sections that the file had so far
+    std::set<std::string> seen_; ///< keywords and sections read so far
     Distance distance_ = nullptr;
     std::optional<MatrixForm> form_;
     std::vector<std::int32_t> distances_;

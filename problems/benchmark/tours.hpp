@@ -49,8 +49,8 @@ struct LatticeTour {
                                       about = "the travelling salesman with cities on a lattice of spacing 1";
     std::size_t rows = 5, columns = 4;
     static constexpr auto numbers() {
-        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100, "rows of cities"},
-                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100, "columns of cities"});
+        return std::tuple(PolicyNumber{"rows", &LatticeTour::rows, 1, 100, "number of rows of cities"},
+                          PolicyNumber{"columns", &LatticeTour::columns, 1, 100, "number of columns of cities"});
     }
     Tour problem() const;
 };

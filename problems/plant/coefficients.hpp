@@ -46,7 +46,7 @@ struct Coefficients {
             PolicyNumber{
                 "form", &Coefficients::form, 0, 2,
                 "term of the fitness for an error e: 0: B - e, as printed in equation 1.7; 1: B - |e|; 2: B - e^2"},
-            PolicyNumber{"bias", &Coefficients::bias, 0, 1e6, "B"},
+            PolicyNumber{"bias", &Coefficients::bias, 0, 1e6, "B of the fitness"},
             PolicyNumber{"samples", &Coefficients::samples, 1, 1000, "length of the window"},
             PolicyNumber{"noise", &Coefficients::noise, 0, 1e3, "standard deviation of the white noise (5.8)"},
             PolicyNumber{"record", &Coefficients::record, 1, 1e6,

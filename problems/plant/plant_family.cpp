@@ -20,7 +20,7 @@ struct PlantThatEnds : Problem {
 struct PlantFamily {
     static constexpr std::string_view
         name = "plant",
-        about = "identification of the plant of chapter 5, whose coefficient a1 changes, with noise e";
+        about = "identification of the plant of thesis chapter 5 with noise e; the coefficient a1 changes";
     double a1 = PlantChange().a1, from = PlantChange().from, lasts = PlantChange().lasts;
     double noise = PlantExperiment().noise, c1 = 0, c2 = 0;
     std::size_t generations = PlantExperiment().generations, per_sample = PlantExperiment().per_sample;

@@ -41,8 +41,8 @@ inline constexpr PlantChange PlantChange::none{.a1 = 1.5}, PlantChange::ramp{}, 
 
 double a1_at(const PlantChange& change, double generation);
 
-/// An experiment on the plant as chapter 5 describes it. The input is 1 or -1, by a pseudo random bit for every four
-/// samples.
+/// An experiment on the plant as chapter 5 describes it. The input is 1 or -1; a pseudo-random bit decides it for every
+/// four samples.
 struct PlantExperiment {
     PlantChange change = PlantChange::ramp;
     double noise = 0;               ///< standard deviation of e, which is Gaussian
@@ -50,7 +50,7 @@ struct PlantExperiment {
     std::size_t generations = 601;  ///< number of generations; Table 5.4 has 0 to 600
     std::size_t per_sample = 3;     ///< generations between two samples; chapter 5 does not state it
     std::size_t window = 30;        ///< samples available at generation 0
-    std::size_t settling = 80;      ///< number of first simulated samples, which the record omits
+    std::size_t settling = 80;      ///< number of samples that are simulated before the record begins
 
     /// Returns the number of samples that arrive from generation 0 on. REQUIRES: per_sample > 0.
     std::size_t samples() const { return (generations + per_sample - 1) / per_sample; }

@@ -97,7 +97,8 @@ void run_body(const SharedObject& process_class, const ProcessKind& kind, Proces
         if (is_generator)
             body.run->start(result, result);
         else if (!result.is_none())
-            throw py::type_error("body() must be a generator: it yields operations, or returns nothing");
+            throw py::type_error(
+                "body() must be a generator that yields operations; a body without operations must return None");
     });
     if (is_generator)
         body.run->finish();

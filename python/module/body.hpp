@@ -7,7 +7,7 @@
 namespace placedpar::python {
 
 /// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds the lock. Throws UserError if
-/// the class describes no kind.
+/// the class does not describe a kind.
 ProcessKind kind_of(pybind11::handle process_class);
 
 } // namespace placedpar::python

@@ -60,7 +60,7 @@ py::array_t<double> values_of(const Genome& genome, const Representation& repres
 Genome string_of(const std::vector<double>& values, const Representation& representation) {
     Genome genome(representation.bits());
     if (values.size() != representation.bits() / representation.unit())
-        throw std::runtime_error("the function returned a string of another length than the strings that it received");
+        throw std::runtime_error("the function must return strings of the same length as the strings that it received");
     if (representation.kind() == StringKind::permutation)
         return representation.permutation().encode(std::vector<std::size_t>(values.begin(), values.end()));
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -111,7 +111,7 @@ struct CallableSchedule : Callable {
         const auto found = std::search(neighbours.begin(), neighbours.end(), chosen.begin(), chosen.end());
         if (found == neighbours.end() && !chosen.empty())
             throw std::runtime_error(
-                "the function must return individuals that are next to each other in the list that it received");
+                "the function must return neighbours that are next to each other in the list that it received");
         return {found, chosen.size()};
     }
 };
@@ -133,8 +133,8 @@ struct CallableAcceptance : Callable {
     }
 };
 
-/// Returns the policy with this name, or a policy that calls this function. An attribute of the function may set a
-/// number of the policy.
+/// Returns the policy with this name, or a policy that calls this function. If the policy has a number,
+/// an attribute of the function may set it.
 template <class Step, class Own, class Policy>
 Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
     if (py::isinstance<py::str>(given_policy))

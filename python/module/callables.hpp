@@ -5,7 +5,7 @@
 
 namespace placedpar::python {
 
-/// The first exception of a policy or fitness in Python. The library reports only its text.
+/// The first exception of a policy or fitness in Python. The library reports only the text of the exception.
 using PolicyFailure = std::shared_ptr<SharedObject>;
 
 /// Changes a setting of placedpar.search(). A policy is given by its name in a netlist, such as "tournament(3)", or as

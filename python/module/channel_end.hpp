@@ -13,9 +13,9 @@
 
 namespace placedpar::python {
 
-/// An end of a channel that a process in Python uses. It keeps the message between Python, for which the caller holds
-/// the lock, and the channel, which must be used without the lock. A Python variable may refer to the end after its
-/// process has ended.
+/// An end of a channel that a process in Python uses. It holds the message on its way between Python, where the caller
+/// holds Python's global lock, and the channel, which must be used without the lock. A Python variable may refer to the
+/// end after its process has ended.
 class ChannelEnd {
 public:
     ChannelEnd(std::string port, Direction direction) : port_(std::move(port)), direction_(direction) {}
@@ -42,7 +42,8 @@ private:
     bool is_detached_ = false;
 };
 
-/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocols() lists the types.
+/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocol_named() has the list of
+/// these types.
 struct Protocol {
     std::function<PortDescription(std::string name, Direction, std::string about)> port;
     std::function<std::vector<std::shared_ptr<ChannelEnd>>(const ProcessEnvironment&, const std::string& port,
@@ -50,7 +51,7 @@ struct Protocol {
         ends;
 };
 
-/// Returns the protocol of this name. Throws UserError, which lists all names, for any other name.
+/// Returns the protocol of this name. Throws UserError for an unknown name. The message lists all names.
 const Protocol& protocol_named(const std::string& name);
 
 /// A message that consists of any Python object. The sender states how many bytes the message has on a link.

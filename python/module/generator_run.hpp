@@ -48,7 +48,7 @@ private:
     pybind11::object result_; ///< the generator's return value, once it has ended
     std::vector<Guard> guards_;
     std::vector<std::shared_ptr<ChannelEnd>>
-        guarded_; ///< for each guard of the ALT its input end; null for a guard without an end
+        guarded_; ///< the input end of each guard of the ALT; null for a guard without an end
     std::size_t chosen_ = 0;
     std::list<GeneratorRun> components_;
     std::string refused_; ///< why the operation failed; "" if it did not

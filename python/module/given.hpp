@@ -19,7 +19,7 @@ std::string kind_of_value() {
     else if constexpr (requires { typename T::mapped_type; })
         return "a dictionary of texts";
     else if constexpr (requires { typename T::value_type; })
-        return "a list, of which each element is " + kind_of_value<typename T::value_type>();
+        return "a list in which each element is " + kind_of_value<typename T::value_type>();
     else if constexpr (std::floating_point<T>)
         return "a number";
     else

@@ -56,11 +56,11 @@ public:
     ~Interpreter();
     Interpreter(const Interpreter&) = delete;
     Interpreter& operator=(const Interpreter&) = delete;
-    /// REQUIRES: there is an object on this thread.
+    /// Returns the interpreter of this thread. REQUIRES: there is one.
     static Interpreter& current();
 
     /// Calls `work` with the lock, and rethrows what it throws. Throws a Python exception as a std::runtime_error with
-    /// its type and text, and keeps the first for failure().
+    /// its type and text, and keeps the first such exception for failure().
     template <class Work>
     void call(Work work) {
         call({[](void* it) { (*static_cast<Work*>(it))(); }, &work});
@@ -68,7 +68,7 @@ public:
     /// Returns the first exception of Python; null if there was none.
     const SharedObject& failure() const { return failure_; }
 
-    /// The place in its program, such as "relay.py:12", at which each unfinished process waited.
+    /// For each unfinished process, the place in its program at which it waited, such as "relay.py:12".
     std::map<std::string, std::string> places;
     RunClock* clock = nullptr; ///< null: no clock is kept
 
@@ -99,8 +99,8 @@ inline void heed_signals() {
 /// lock.
 std::string text_of(pybind11::handle exception);
 
-/// Throws an exception of this class of placedpar.errors, with the failure as its cause. KeyboardInterrupt and
-/// SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
+/// Throws an exception of the class `error_class` of placedpar.errors, with the failure as its cause. KeyboardInterrupt
+/// and SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
 [[noreturn]] void rethrow(const SharedObject& failure, const char* error_class, const std::string& text);
 
 } // namespace placedpar::python

@@ -131,7 +131,7 @@ py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
     timeline.finish(again.report.result);
     if (const auto full = timeline.full_at())
         warn("the timeline is full and ends at " + to_string(*full) + ", after " +
-             std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter one");
+             std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter timeline");
     return rows.columns();
 }
 
@@ -145,7 +145,7 @@ std::string json_of(const LoadedNetwork& network, const FinishedRun& run) {
     return boost::json::serialize(report_json(run.report, network.network(), run.manifest, run.log));
 }
 
-/// Logs the generations of a run, and stores the virtual time of the newest for other threads.
+/// Logs the generations of a run, and stores the virtual time of the newest generation for other threads.
 class ClockedLog final : public GenerationLog {
 public:
     ClockedLog(const Network& network, RunClock* clock) : GenerationLog(log_of(network)), clock_(clock) {}

@@ -72,7 +72,7 @@ Rated rated_of(const py::object& returned, const py::array& population) {
     const auto pair = py::reinterpret_borrow<py::tuple>(returned);
     if (pair.size() != 2)
         throw UserError(
-            fmt::format("the function returned a tuple of {}, expected an array of objectives, or a tuple of "
+            fmt::format("the function returned a tuple of length {}, expected an array of objectives, or a tuple of "
                         "objectives and constraints",
                         pair.size()));
     return {table_of(pair[0], population, "objectives"), table_of(pair[1], population, "constraints")};

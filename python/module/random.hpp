@@ -9,8 +9,8 @@
 
 namespace placedpar::python {
 
-/// A random stream for Python: a new one, or a stream that the library lends during a call. Python may keep a reference
-/// after the call.
+/// A random stream for Python: a new stream, or a stream that the library lends during a call. Python may keep a
+/// reference after the call.
 class PythonRandom {
 public:
     explicit PythonRandom(const RandomStream& own) : own_(own), random_(&*own_) {}

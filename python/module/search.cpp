@@ -61,7 +61,8 @@ struct SearchOptions {
 /// Pauses between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
 class Pauses {
 public:
-    /// `progress` is None, or a function that receives the number of completed generations and of all generations.
+    /// `progress` is None, or a function that receives the number of completed generations and the number of all
+    /// generations.
     Pauses(py::object progress, std::uint64_t all) : progress_(std::move(progress)), all_(all) {}
     void pause(std::uint64_t made) {
         if (!progress_.is_none())
@@ -127,6 +128,8 @@ std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, cons
 }
 
 IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& options, const PolicyFailure& failure) {
+    if (options.islands == 0)
+        throw UserError("there are 0 islands, expected at least 1");
     IslandsSettings settings;
     settings.islands.assign(options.islands, usual_settings(problem));
     for (const auto& [name, value] : options.settings)

@@ -40,7 +40,7 @@ struct LiveRuns {
 };
 
 LiveRuns& live_runs() {
-    static auto* const runs = new LiveRuns; // it outlives threads that are still running at the end of the program
+    static auto* const runs = new LiveRuns; // never destroyed, because threads may still run at the end of the program
     return *runs;
 }
 

@@ -4,21 +4,23 @@
 
 namespace placedpar::python {
 
-/// An interruption that Ctrl-C (SIGINT) and the end of Python request. Ctrl-C is also passed on to Python, which raises
-/// KeyboardInterrupt as soon as it has the lock again. If Python ignores Ctrl-C, this class ignores it, too.
+/// An interruption that is requested by Ctrl-C (SIGINT), and when Python exits. Ctrl-C is also passed on to Python,
+/// which raises KeyboardInterrupt as soon as it has the lock again. If Python ignores Ctrl-C, this class ignores it,
+/// too.
 ///
-/// 1. Objects that react to Ctrl-C exist on Python's main thread only. They may be nested, because a process may call a
-///    sweep, and end in reverse order.
+/// 1. Objects that react to Ctrl-C exist on Python's main thread only. They may be nested: a process in Python may
+/// itself
+///    call sweep(). They end in reverse order.
 /// 2. An object is made and destroyed while its thread holds the lock.
 class InterruptedByKeyboard : public Interruption {
 public:
-    /// `heeds` is whether the object reacts to Ctrl-C: false outside Python's main thread.
+    /// `heeds`: true if the object reacts to Ctrl-C; must be false outside Python's main thread.
     explicit InterruptedByKeyboard(bool heeds);
     ~InterruptedByKeyboard();
     InterruptedByKeyboard(const InterruptedByKeyboard&) = delete;
     InterruptedByKeyboard& operator=(const InterruptedByKeyboard&) = delete;
 
-    /// Requests this interruption and all those around it.
+    /// Requests this interruption and all enclosing interruptions.
     void request_all() noexcept;
 
 private:

@@ -25,7 +25,7 @@ namespace py = pybind11;
 /// The settings of a sweep: names, and the values of each.
 using Axes = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-/// Calls `progress` with the number of ended runs and of all runs, unless it is None.
+/// Calls `progress` with the number of ended runs and the number of all runs, unless `progress` is None.
 void tell(const py::object& progress, std::size_t ended, std::size_t all) {
     const py::gil_scoped_acquire locked;
     if (!progress.is_none())
@@ -55,7 +55,7 @@ Study study_of(const LoadedNetwork& network, const Axes& axes) {
 }
 
 /// Makes the missing runs without the lock, on `jobs` cores (0: on all). `progress` is None, or a function that
-/// receives the number of runs made and of runs missing.
+/// receives the number of runs made so far and the number of runs that were missing.
 void make_runs(const Study& study, StudyResults& results, std::size_t jobs, bool heeds_signals,
                const py::object& progress) {
     InterruptedByKeyboard interruption(heeds_signals);
@@ -94,8 +94,8 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
-/// REQUIRES: the network is a file, and has no kinds in Python. `store` is a file; if it is "", the runs are kept in
-/// memory.
+/// REQUIRES: the network was read from a file, and has no kinds in Python. `store` is a file; if it is "", the runs are
+/// kept in memory.
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
                const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
                std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,

@@ -1,4 +1,4 @@
-"""PlacedPar: simulates networks of transputers and of the CSP processes placed on them.
+"""PlacedPar simulates networks of transputers, and the CSP processes placed on them.
 
     import placedpar as pp
     run = pp.load("figure-e2.cfs", slaves=4).run(seed=1)

@@ -41,7 +41,7 @@ class Port:
 
 
 class Part:
-    """A node or a process of a network built in Python. Its attributes are its ports; the port `in` is `in_`."""
+    """A node or a process of a network built in Python. Its attributes are its ports. Write the port `in` as `in_`."""
 
     def __init__(self, name: str, on: "Optional[Part]" = None) -> None:
         self._name = name
@@ -76,7 +76,7 @@ class Statements:
         self._places.append((frame.f_code.co_filename, frame.f_lineno))
 
     def processor(self, type: str, name: Optional[str] = None, **attributes: Any) -> Part:
-        """Adds a node, such as processor("T800", clock="20M"), and returns it. The type may be any type of
+        """Adds a node, such as processor("T800", clock="20M"), and returns it. The type may be any node type of
         netlists, such as "T800", "C004" or "workstation"."""
         part = Part(self._new(name or f"{type.lower()}_{len(self._lines)}"))
         self.statement(f"{type} {_attributes(attributes)} {part._name};")
@@ -113,7 +113,7 @@ class Statements:
         if link is not None:
             ends = [end for end in (a, b) if end.owner._on is link.owner]
             if not ends:
-                raise Error(f"{link.text}: expected a link of a processor on which {a.text} or {b.text} is")
+                raise Error(f"{link.text} cannot carry the channel: expected a link of the processor of {a.text} or of {b.text}")
             placed = f" place {ends[0].text} on {link.text};"
         self.statement(f"{declared}connect {a.text} to {b.text}{f' by {name}' if declared else ''};{placed}")
 

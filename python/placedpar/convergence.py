@@ -17,8 +17,8 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
                 logarithmic: bool = False) -> Drawing:
     """Draws the best value so far over the generations, as a median with quartiles over the searches.
 
-    searches: one search or several, such as searches with different seeds; or a dictionary from names of curves to one
-    search or several.
+    searches: one search or several, such as searches with different seeds; or a dictionary with names of curves as
+    keys, and one search or several as values.
     title: title of the plot; by default it says what the plot shows.
     logarithmic: whether the axis of the values, which must be above 0, is logarithmic.
 
@@ -37,11 +37,11 @@ def convergence(searches: Union[Searches, Mapping[str, Searches]], title: str = 
 def _curve(name: str, searches: Sequence[Found]) -> tuple[str, int, list[list[float]]]:
     """Returns the name, the first generation, and the values of each search from this generation on."""
     if not isinstance(searches, Sequence) or not searches or not all(isinstance(each, Found) for each in searches):
-        raise TypeError(f"{name}: expected what search() returns, or a list of it, not {searches!r}")
+        raise TypeError(f"{name}: expected a result of search(), or a list of such results, not {searches!r}")
     courses = [_best_so_far(each) for each in searches]
     firsts = {min(course) for course in courses}
     if len(firsts) > 1:
-        raise Error(f"{name}: the searches begin at different generations, since some went on from a checkpoint")
+        raise Error(f"{name}: the searches begin at different generations, because some of them continued from a checkpoint")
     return name, firsts.pop(), [list(course.values()) for course in courses]
 
 

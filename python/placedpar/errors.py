@@ -62,7 +62,7 @@ class ProcessError(Error):
 
 
 class Deadlock(Error):
-    """A run ended in a deadlock. The text has the cycle, and the line of its program at which each process waits.
+    """A run ended in a deadlock. The text has the wait cycle, and for each process the line of its program at which it waits.
 
     `run` is the run with its measures up to the deadlock.
     """

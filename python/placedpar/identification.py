@@ -51,7 +51,7 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
     record: a DataFrame of shape (samples, columns) with the columns of a record's file, such as "time [s]",
     "boom.inlet_pressure [psi]", "boom.angle [deg]" and "boom.spool [in]" (docs/guides/records.md has all sensors and
     units). The name of a column states its unit.
-    columns: the DataFrame's names of columns with other names, such as {"boom.angle [deg]": "Phi 1"}.
+    columns: for columns that have other names in the DataFrame, these names, such as {"boom.angle [deg]": "Phi 1"}.
     columns_from: a file with such names, one in each line.
     links: one link or several, such as "boom" or ["bucket", "boom"].
     configuration: configuration of the main valve, "a" to "e".
@@ -66,7 +66,7 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
     which mean the same as the options of `placedpar identify`.
 
     Raises RecordError for wrong readings; it names the column and the row. Raises Error for settings that are not
-    valid, and for a record that lacks data that the settings require. Warns with RecordWarning.
+    valid, and for a record that lacks data that the settings require. Warns about doubtful readings with a RecordWarning.
     """
     if not hasattr(record, "to_csv") or not hasattr(record, "columns"):
         raise TypeError(f"a record is a pandas DataFrame, not {type(record).__name__}")

@@ -226,7 +226,7 @@ class Network(Statements):
 
         seed: seed of all random numbers.
         until: latest end of the run, in seconds or as "20ms".
-        shuffle: a seed with which ready processes run in a random order.
+        shuffle: a seed; ready processes then run in a random order that this seed determines.
         progress: a function that is called, on another thread, with the virtual time and the latest end in seconds
         (None if there is none); False shows no line of progress on a terminal or in a notebook. The virtual time is the
         time of the latest generation of a search, or of the latest step of a process in Python. A run without searches
@@ -273,7 +273,7 @@ def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mappi
     kinds: classes derived from Process, which the netlist names by their `kind`.
     settings, and further keyword arguments: values, attributes and parameters that replace the values in the netlist,
     such as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
-    include: folders in which included files are searched.
+    include: folders that are searched for included files.
     faults: faults, written as in a netlist.
     use: for each process that is named, the kind that replaces its program.
 

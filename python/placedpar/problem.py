@@ -11,10 +11,18 @@ Bounds = Sequence[tuple[float, float]]
 EQUATION_TOLERANCE = 1e-4  #: an equation h(x) = 0 of a problem object is satisfied if |h(x)| is at most this
 
 
-def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]],
+default_bits = 16  # of each parameter
+
+
+def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequence[int]], maximise: bool,
              search: str) -> tuple[Union[str, Function], Bounds, Sequence[int]]:
     """Returns the name or the function of a problem, its bounds, and the bits of each parameter. `search` is the name
     of the function that searches, for messages."""
+    if bounds is not None and not callable(problem):
+        raise Error("bounds are for a function: this problem states its own")
+    if isinstance(problem, str) and (maximise or not isinstance(bits, int) or bits != default_bits):
+        given = "maximise" if maximise else "bits"
+        raise Error(f"{given} is for a function: the problem \"{problem}\" states its own goal and bits")
     if hasattr(problem, "_evaluate"):
         problem, bounds, objectives = _of_pymoo(problem)
     elif hasattr(problem, "fitness") and hasattr(problem, "get_bounds"):
@@ -25,14 +33,22 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
             raise TypeError("expected a function, the name of a problem, an object with _evaluate, xl and xu (as "
                             f"pymoo's), or an object with fitness and get_bounds (as pygmo's), not {problem!r}")
     if objectives != 1 and search == "search":
-        raise Error(f"a search has one objective, but this problem has {objectives}: search_front() searches for its front")
+        raise Error(f"a search has one objective, but this problem has {objectives}: use search_front()")
     if bounds is None and not isinstance(problem, str):
         raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
-    ranges = [(float(low), float(high)) for low, high in bounds or ()]
+    ranges = [] if bounds is None else [_range(each) for each in bounds]
     fields = [bits] * len(ranges) if isinstance(bits, int) else list(bits)
     if len(fields) != len(ranges):
-        raise TypeError(f"{len(ranges)} bounds need as many numbers of bits, not {len(fields)}")
+        raise TypeError(f"bits has length {len(fields)}, expected one number of bits for each of the {len(ranges)} bounds")
     return problem, ranges, fields
+
+
+def _range(pair: Any) -> tuple[float, float]:
+    try:
+        low, high = pair
+        return float(low), float(high)
+    except (TypeError, ValueError):
+        raise TypeError(f"bounds has {pair!r}, expected pairs of numbers (least, greatest)") from None
 
 
 def _of_pymoo(problem: Any) -> tuple[Function, Bounds, int]:
@@ -68,7 +84,7 @@ def _of_pygmo(problem: Any) -> tuple[Function, Bounds, int]:
 
     objectives, equations, unequal = count("get_nobj", 1), count("get_nec"), count("get_nic")
     if count("get_nix"):
-        raise Error("this problem has whole numbers (get_nix), but a search has real numbers: round them in fitness")
+        raise Error("this problem has whole numbers (get_nix), but a search has real numbers: remove get_nix, and round the numbers in fitness")
 
     def evaluate(rows: Any) -> Any:
         values = numpy.array([numpy.ravel(problem.fitness(row)) for row in rows])

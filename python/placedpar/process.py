@@ -63,7 +63,7 @@ class Input(_Port):
 
 
 class Inputs(_Port):
-    """An array of input ends, connected as NAME[0], NAME[1] and so on: a list of input ends."""
+    """An array of input ends, connected as NAME[0], NAME[1] and so on. In the body, self.NAME is a list of input ends."""
     is_array = True
 
 
@@ -73,7 +73,7 @@ class Output(_Port):
 
 
 class Outputs(_Port):
-    """An array of output ends: a list of output ends."""
+    """An array of output ends. In the body, self.NAME is a list of output ends."""
     is_output = True
     is_array = True
 

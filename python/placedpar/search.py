@@ -7,7 +7,7 @@ from typing import Any, Callable, Optional, Sequence, Union
 from . import _core
 from .errors import Error
 from .network import FilePath, seed_of
-from .problem import Problem, prepared
+from .problem import Problem, default_bits, prepared
 from .progress import ProgressOption, progress_of
 from .tables import table, table_of_csv
 
@@ -15,7 +15,8 @@ from .tables import table, table_of_csv
 class Found:
     """The result of a search: the best individual of all islands and generations.
 
-    x: parameters of the individual, an array of shape (d,).
+    x: parameters of the individual, an array of shape (d,); empty if the problem has none, as a tour.
+    string: the individual's string of bits, its real numbers or its tour, as a text.
     value: objective of the individual; NaN if the individual is not feasible.
     violation: sum of the violations of the constraints; 0 if the individual is feasible.
     fitness: fitness of the individual, which the search maximised.
@@ -60,13 +61,13 @@ Policy = Union[str, Callable[..., Any]]
 
 def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = None, *, islands: int = 1,
            generations: int = 100, population: Optional[int] = None, seed: int = 1, maximise: bool = False,
-           bits: Union[int, Sequence[int]] = 16, coding: str = "natural", elite: Optional[int] = None,
+           bits: Union[int, Sequence[int]] = default_bits, coding: str = "natural", elite: Optional[int] = None,
            crossover_probability: Optional[float] = None, mutation_probability: Optional[float] = None,
            reproduction: Optional[Policy] = None, crossover: Optional[Policy] = None, mutation: Optional[Policy] = None,
            topology: Optional[Policy] = None, schedule: Optional[Policy] = None, emigration: Optional[Policy] = None,
            acceptance: Optional[Policy] = None, checkpoint: Optional[FilePath] = None,
            progress: ProgressOption = None) -> Found:
-    """Searches for the least value of an objective and returns what was Found.
+    """Searches for the least value of an objective, and returns the result as a Found.
 
     problem: a function of a population, which gets an array of shape (n, d) and returns n values, of shape (n,) or
     (n, 1); or a problem object of pymoo or pygmo; or the name of a known problem, such as "rastrigin(dimensions = 10)".
@@ -74,8 +75,9 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
     satisfied if its number is at most 0. A feasible individual is better than an individual that is not feasible. Of two
     individuals that are not feasible, the individual with the smaller sum of violations is better.
     bounds: d pairs (least, greatest) for the parameters of a function.
-    maximise: whether to search for the greatest value instead.
-    bits: number of bits of each parameter's field; one number, or d numbers.
+    maximise: whether to search for the greatest value of a function instead.
+    bits: number of bits of each parameter's field; one number, or d numbers. Bounds, bits and maximise are refused with
+    the name of a known problem, and bounds with a problem object: such a problem states its own.
     coding: "natural", "gray" or "real" (no bits).
     population: number of individuals of each island. Each island has its own random numbers, given by `seed`.
     checkpoint: a file in which all populations are stored every 10 generations. If the file exists, the search continues
@@ -102,7 +104,7 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
     settings = dict(population=population, elite=elite, crossover_probability=crossover_probability,
                     mutation_probability=mutation_probability, reproduction=reproduction, crossover=crossover,
                     mutation=mutation, topology=topology, schedule=schedule, emigration=emigration, acceptance=acceptance)
-    function, ranges, fields = prepared(problem, bounds, bits, "search")
+    function, ranges, fields = prepared(problem, bounds, bits, maximise, "search")
     with progress_of(progress, "{} of {} generations") as tell:
         return Found(_core.search(function, ranges, fields, maximise, islands, generations, seed_of(seed), coding,
                                   {name: value for name, value in settings.items() if value is not None},
@@ -133,7 +135,7 @@ class Front:
 
 
 def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = None, *, generations: int = 250,
-                 population: int = 100, seed: int = 1, maximise: bool = False, bits: Union[int, Sequence[int]] = 16,
+                 population: int = 100, seed: int = 1, maximise: bool = False, bits: Union[int, Sequence[int]] = default_bits,
                  coding: str = "natural", checkpoint: Optional[FilePath] = None,
                  progress: ProgressOption = None) -> Front:
     """Searches for the front of several objectives by NSGA-II, and returns the Front.
@@ -145,7 +147,7 @@ def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]
     The operators are the operators of NSGA-II; with coding="real" these are simulated binary crossover and polynomial
     mutation. Makes population * (generations + 1) evaluations. Raises Error for settings that are not valid.
     """
-    function, ranges, fields = prepared(problem, bounds, bits, "search_front")
+    function, ranges, fields = prepared(problem, bounds, bits, maximise, "search_front")
     if population in (0, 1):
         raise Error(f"a population of {population}, expected at least 2: individuals are bred in pairs")
     with progress_of(progress, "{} of {} generations") as tell:

@@ -99,7 +99,7 @@ class Explanation:
 
 def explain(network: Network, seed: int = 1, until: Optional[Time] = None,
             progress: ProgressOption = None) -> Explanation:
-    """Runs a network, tries out changes of it, and returns an Explanation.
+    """Runs a network, tries out changes of the network, and returns an Explanation.
 
     progress: as in sweep(), for the runs with changes.
 

@@ -28,7 +28,7 @@ def table_of_columns(**columns: Sequence[Any]) -> Any:
 def table_of_csv(text: str) -> Any:
     """Returns a table of comma-separated values. A column is numeric if all its cells are numbers; empty cells are None."""
     if pandas is not None:
-        return pandas.read_csv(io.StringIO(text))
+        return pandas.read_csv(io.StringIO(text), float_precision="round_trip")
     return [{key: number_in(value) if value else None for key, value in row.items()}
             for row in csv.DictReader(io.StringIO(text))]
 

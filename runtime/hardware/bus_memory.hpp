@@ -14,8 +14,8 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach it over the
-/// bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
+/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach the memory
+/// over the bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
 class DualPortedMemory final : public BusSlave {
 public:
     DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}
@@ -27,8 +27,8 @@ private:
 
 /// One direction between a bus master and the transputer of a dual-ported memory. Messages go through a buffer in the
 /// memory, one at a time. The master moves the words over the bus. The transputer copies them between the buffer and
-/// its process's memory. It swaps bytes if the two computers have different byte orders: a 68020 is big endian, a T800
-/// little endian. Each end interrupts the other when the buffer becomes available to the other.
+/// its process's memory. It swaps bytes if the two computers have different byte orders: a 68020 is big endian, and a
+/// T800 is little endian. When an end has filled or emptied the buffer, it interrupts the other end.
 class MemoryLane final : public Carrier {
 public:
     /// The size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.

@@ -15,15 +15,15 @@ namespace placedpar::hardware::bus_programs {
 constexpr BusProgram sun_3_280{
     .byte_access = Cycles{30}, .read_word = Cycles{92}, .write_word = Cycles{26}, .interrupt = Cycles{2500}};
 
-/// The program of a BBK-V2's T800. Derived from the cycles of its instructions. A byte costs one pass of a loop that
-/// tests a status register or moves a byte (lb, sb, cj, lend ...). Words are moved by a block move, as fast as the bus
-/// takes them. An interrupt is a high-priority process that becomes ready.
+/// The program of a BBK-V2's T800. The figures are derived from the cycles of its instructions. A byte costs one pass
+/// of a loop that tests a status register or moves a byte (lb, sb, cj, lend ...). Words are moved by a block move, as
+/// fast as the bus takes them. An interrupt is a high-priority process that becomes ready.
 constexpr BusProgram bbk_v2{.byte_access = Cycles{20},
                             .read_word = instructions::block_move_start,
                             .write_word = instructions::block_move_start,
                             .in_blocks = true};
 
-/// Charges the running process with the cycles of the program. They count as communication, not as computation.
+/// Charges the running process for the cycles of the program. These cycles count as communication, not as computation.
 inline void spend(const Kernel& kernel, Cycles cycles) {
     charge(kernel.running(), [cycles](const OperationCosts&) { return cycles; });
 }

@@ -41,7 +41,7 @@ std::vector<Constant> of_links() {
          "measured data rates, also at 5 and 10 Mbit/s in both directions"},
         {group, "a metre of wire", in_ns(LinkTiming::metre_of_wire), "ns", published,
          "a common figure for transmission lines"},
-        {group, "a switch, one way", Crossbar::crossing_delay / 100.0, "bits", published, "C004 manual"},
+        {group, "a switch, in one direction", Crossbar::crossing_delay / 100.0, "bits", published, "C004 manual"},
     };
 }
 
@@ -50,7 +50,7 @@ std::vector<Constant> of_processors() {
     using enum Provenance;
     return {
         {group, "clock, if the netlist states none", in_mega(Processor::usual_clock), "MHz", published,
-         "17.5 to 30 MHz were sold"},
+         "models were sold with 17.5 to 30 MHz"},
         {group, "timeslice period", in_us(Processor::timeslice), "us", published, databook_scheduler},
         {group, "tick at high priority", in_us(Processor::high_tick), "us", published, "INMOS ticks.inc"},
         {group, "tick at low priority", in_us(Processor::low_tick), "us", published, "INMOS ticks.inc"},
@@ -68,7 +68,7 @@ std::vector<Constant> of_processors() {
     };
 }
 
-/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing one. The
+/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing member. The
 /// additional time of a word outside the chip is listed among the processor's memory accesses.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
@@ -143,10 +143,11 @@ std::vector<Constant> of_hosts() {
         {group, "a word read, in addition to the bus", in_cycles(read), "cycles", ours, "SGI's table: about 1 Mbyte/s"},
         {group, "a word written, in addition to the bus", in_cycles(write), "cycles", ours,
          "SGI's table: about 3 Mbyte/s"},
-        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms of a Sun 3/280"},
-        {group, "most polls of the status without success", static_cast<double>(most_polls), "times", ours,
+        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "0.1 ms on a Sun 3/280"},
+        {group, "most unsuccessful polls of the status", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
-        {group, "tick of its clocks", in_us(Workstation::clock_tick), "us", published, "a Unix of 50 Hz"},
+        {group, "tick of its clocks", in_us(Workstation::clock_tick), "us", published,
+         "as in a Unix with a clock of 50 Hz"},
     };
 }
 
@@ -155,11 +156,12 @@ std::vector<Constant> of_bus_masters() {
     const auto& [byte, read, write, in_blocks, interrupt, most_polls] = bus_programs::bbk_v2;
     using enum Provenance;
     return {
-        {group, "a byte, in addition to the bus", in_cycles(byte), "cycles", ours, "lb, sb, cj, lend in a loop"},
+        {group, "a byte, in addition to the bus", in_cycles(byte), "cycles", ours, "a loop of lb, sb, cj and lend"},
         {group, "a block read, in addition to the bus", in_cycles(read), "cycles", published, table},
         {group, "a block written, in addition to the bus", in_cycles(write), "cycles", published, table},
-        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours, "of its processor"},
-        {group, "most polls of the status without success", static_cast<double>(most_polls), "times", ours,
+        {group, "time from an interrupt to the process", in_cycles(interrupt), "cycles", ours,
+         "the cost of the processor's own interrupt applies"},
+        {group, "most unsuccessful polls of the status", static_cast<double>(most_polls), "times", ours,
          "afterwards the process waits for an interrupt"},
         {group, "conversion of a word's byte order", in_cycles(bus_programs::conversion), "cycles", ours,
          "if the netlist gives none"},

@@ -14,8 +14,8 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns the costs of operations. Those that were not measured take one cycle if a program can repeat them while it
-/// polls, and no time otherwise.
+/// Returns the costs of operations. Operations that were not measured take one cycle if a program can repeat them while
+/// it polls, and no time otherwise.
 OperationCosts costs_of(const CoreCosts& core) {
     return {.soft_communication = core.communication,
             .soft_word_output = core.communication,
@@ -32,7 +32,8 @@ ComputerCore::ComputerCore(Kernel& kernel, std::string name, const CoreCosts& co
     const auto least = std::min(
         {costs.communication, costs.crossing, costs.switching, costs.patience, costs.waking, costs.oversleeping});
     if (costs.clock_hz <= 0 || least < Cycles{0})
-        throw std::logic_error("core " + this->name() + ": its clock must be positive, and no cost negative");
+        throw std::logic_error("core " + this->name() +
+                               ": its clock frequency must be positive, and no cost may be negative");
 }
 
 Time ComputerCore::time_busy() const { return works_ && turn_.scheduled() ? busy_ + (kernel_.now() - began_) : busy_; }
@@ -82,7 +83,7 @@ void ComputerCore::leave(Process&, Process* successor) {
         take_next();
 }
 
-/// Returns the time until the current pause ends of a core that has waited for this time.
+/// Returns the time until the end of the current pause. `waited`: how long the core has waited so far.
 Time ComputerCore::rest_of_pause(Time waited) const {
     Time end = duration(core_.patience);
     while (end < waited)

@@ -73,11 +73,11 @@ private:
 
     Kernel& kernel_;
     CoreCosts core_;
-    ProcessQueue ready_, woken_; ///< `woken_`: by another core
+    ProcessQueue ready_, woken_; ///< `woken_`: processes that another core has woken
     bool is_woken_ = false;      ///< another core makes processes ready
     TurnsOfWoken turns_;
     Process* current_ = nullptr; ///< the process that has the core
-    bool works_ = false;         ///< the process computes; else it has not started yet
+    bool works_ = false;         ///< true: the current process computes; false: the core is switching to it
     Time idle_since_{}, began_{}, busy_{};
     Turn turn_{*this};
 };

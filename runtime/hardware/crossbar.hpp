@@ -19,9 +19,9 @@ namespace placedpar::hardware {
 
 class Link;
 
-/// A message of one to three bytes to the configuration link of a C004. Written from memory of INMOS's data sheet,
-/// which is not available. INMOS's network checker (check.c of its `ispy`, published) sends [0][input][output] and [4],
-/// and uses the top bit of a C004B's answer as here. It does not send [3].
+/// A message of one to three bytes to the configuration link of a C004. The codes were written down from memory,
+/// because INMOS's data sheet was not available. INMOS's network checker (check.c of its `ispy`, published) sends
+/// [0][input][output] and [4], and uses the top bit of a C004B's answer in the same way. It does not send [3].
 struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]
@@ -47,12 +47,12 @@ struct SwitchAnswer {
 
 /// An IMS C004: a switch with 32 inputs and 32 outputs. Each output repeats the data of one input, or nothing. Commands
 /// change the connections during the run; at the start nothing is connected. Data is lost at an input that no output
-/// repeats. Our assumptions: data is also lost if the output is not wired to the other end of the data's link. On a new
-/// connection, data is lost until the next command 3. A connection is not disturbed when it is made again, or while
-/// other connections are made.
+/// repeats. Our assumptions: data is also lost if the output is not wired to the other end of the link that carries the
+/// data. On a new connection, data is lost until the next command 3. A connection is not disturbed when it is made
+/// again, or while other connections are made.
 ///
 /// The switch executes its own logic: a process that inputs commands from the configuration link and obeys them. This
-/// process takes no time in addition to the link's.
+/// process takes no time beyond the time of the link.
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
@@ -83,11 +83,11 @@ public:
         int output;        ///< output that should have repeated the first lost packet
         std::string state; ///< state of this output at that time, such as "was connected to no input"
     };
-    /// Returns the losses. There is one for each direction of a link that lost data, in the order of lead_on(); the
-    /// direction from end a comes first.
+    /// Returns the losses. There is one Loss for each direction of a link that lost data, in the order of lead_on(). Of
+    /// the two directions of a link, the direction from end a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
-    /// Returns how many connections were made. A connection of two links counts at each output.
+    /// Returns how many connections were made. A connection of two links counts twice, once for each output.
     std::uint64_t connections() const { return connections_; }
 
     Time tick(Priority) const override { return std::chrono::microseconds{1}; }

@@ -193,7 +193,7 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        // If the first byte's arrival woke an alternation, the last byte may be about to arrive at this very time.
+        // If the first byte's arrival woke an alternation, the last byte may be due at this very time.
         touch->drop_last_bytes(number_);
         deliver();
     } else {

@@ -18,7 +18,7 @@
 namespace placedpar::hardware {
 
 /// Receives a call before an end of a link changes the link's state by give(), take() or a reset. A processor that has
-/// computed its future meanwhile can then return to the present. Must not wait or throw.
+/// computed ahead can then return to the present. The function must not wait or throw.
 class LinkEngineWatcher {
 public:
     virtual void link_will_change() = 0;
@@ -33,7 +33,7 @@ struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
-    LinkEngineWatcher* watcher = nullptr; ///< null if nothing must be told
+    LinkEngineWatcher* watcher = nullptr; ///< null if no call is needed
 
     std::uint64_t words_in(std::uint32_t bytes) const {
         return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divides by 2 or 4
@@ -69,9 +69,9 @@ protected:
 /// acknowledge. The times are exact to the bit.
 ///
 /// If a byte or an acknowledge of a message is lost, the message does not continue. Neither does a message that the
-/// process at one end gives up: no further byte is acknowledged, and the other end stays in the message until it is
-/// given up or reset, too. This rule is ours: the real engines would take the rest of one message and the beginning of
-/// the next for one message.
+/// process at one end gives up: no further byte is acknowledged, and the other end stays in the message until it, too,
+/// gives up the message or is reset. This rule is ours: the real engines would take the rest of one message and the
+/// beginning of the next for one message.
 ///
 /// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
@@ -101,7 +101,7 @@ public:
     /// Begins to receive a message for the running process on the channel.
     void begin_reading(AnyChannel&);
     bool can_be_read() const { return phase() == LinkState::Phase::owed; }
-    /// States what the byte that was read has ended.
+    /// The unit that ends with a byte that was read: none, a part of the message, or the whole message.
     enum class Ended { nothing, part, message };
     /// Reads the byte. REQUIRES: can_be_read().
     Ended read_byte();
@@ -113,8 +113,8 @@ public:
     /// Makes both ends move bytes by counts. Throws std::logic_error if a channel or an adapter uses the direction.
     /// REQUIRES: the run has not begun; the users outlive the direction.
     void move_by_counts(ByteUser& sender, ByteUser& receiver);
-    /// States that the bytes of the counts are messages of this channel: the trace then shows them, and faults name it.
-    /// REQUIRES: the run has not begun; the channel outlives the direction.
+    /// States that the bytes of the counts are messages of this channel: the trace then shows them, and reports of
+    /// faults name the channel. REQUIRES: the run has not begun; the channel outlives the direction.
     void carries_bytes_of(AnyChannel& channel) { channel_ = &channel; }
     /// Offers bytes. Throws std::logic_error for 0 bytes, and if sent() has not been called for an earlier give().
     void give(std::uint32_t bytes);
@@ -122,10 +122,11 @@ public:
     void take(std::uint32_t bytes);
     /// Returns whether a first byte waits that no receiver has asked for.
     bool byte_waits() const;
-    /// Returns whether take() has got all its bytes, although the last one may still be on the wire.
+    /// Returns whether take() has received all its bytes. The last bits may still be on the wire.
     bool is_taken();
-    /// Forget what this end still has to give or take. Bytes that arrived of a part that was under way are lost, and
-    /// the other end gets no further until it is reset, too. Return how many bytes of the part had arrived.
+    /// Cancel the current give() or take() of this end. If a part was under way, the bytes of this part that had
+    /// arrived are lost, and the other end makes no progress until it is reset, too. Return how many bytes of the part
+    /// had arrived.
     std::uint32_t reset_giving();
     std::uint32_t reset_taking();
 
@@ -141,7 +142,7 @@ public:
     std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
-    /// Returns how many bytes were acknowledged (output) or received (input) of the message that was given up.
+    /// Returns how many bytes of the given-up message were acknowledged (output) or received (input).
     std::uint64_t reset_output(AnyChannel&) override;
     std::uint64_t reset_input(AnyChannel&) override;
 
@@ -149,7 +150,7 @@ public:
     const std::string& name() const { return name_; }
     /// Returns how many bytes the wire has begun to carry.
     std::uint64_t bytes_carried() const;
-    /// Returns how long the wire has carried the bits of bytes.
+    /// Returns for how long the wire has carried bytes, without acknowledges.
     Time time_occupied() const;
 
     /// Makes every step of the link an event. Tests compare such a run with a usual run. REQUIRES: the run has not
@@ -211,7 +212,7 @@ private:
     struct Counts {
         ByteUser &sender, &receiver;
         std::uint32_t to_give = 0, to_take = 0; ///< bytes of the counts beyond the current part
-        std::uint32_t agreed = 0;               ///< bytes of the current part that count for the receiver
+        std::uint32_t agreed = 0;               ///< bytes of the current part that belong to the receiver's count
         std::uint32_t given = 0;                ///< the count of give()
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
@@ -237,7 +238,7 @@ private:
     void trace_break(Time byte_started);
     void trace_standstill();
 
-    // The members are in the order of use, which saves cache lines. These are needed for every packet.
+    // The members are in the order of use, which saves cache lines. The first members are needed for every packet.
     Kernel& kernel_;
     LinkCourse& course_;
     Process* sender_ = nullptr;        ///< set from the start of a part until the acknowledge of its last byte
@@ -250,7 +251,7 @@ private:
     bool output_given_up_ = false;     ///< the sender has given up the current message
     bool input_given_up_ = false;      ///< the receiver has given up the current message
 
-    // These are needed for every message.
+    // The next members are needed for every message.
     In input_{*this};
     const PacketTimes& times_;
     Out output_{*this};
@@ -258,7 +259,7 @@ private:
     std::uint64_t bytes_of_ended_parts_ = 0;      ///< bytes carried before the current part
     std::uint64_t bytes_before_part_ = 0;         ///< bytes of the current message before the current part
 
-    // These are needed rarely.
+    // The next members are needed rarely.
     RegisterUser *writer_ = nullptr, *reader_ = nullptr; ///< null if an engine moves the bytes at this end
     std::unique_ptr<Counts> counts_;                     ///< null if the direction carries messages
     std::uint64_t bytes_left_over_ = 0;        ///< bytes that arrived of a message that its sender has given up
@@ -286,8 +287,8 @@ public:
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
     const LinkTiming& timing() const { return timing_; }
-    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it, and
-    /// words_moved() has the same result at all later times.
+    /// Returns whether nothing is under way. If so, the link stays as it is until one of its ends acts on it, and
+    /// words_moved() returns the same result at all later times.
     bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
@@ -298,8 +299,8 @@ public:
                memory.words_in(course_.bytes_begun_before(now, 1));
     }
 
-    /// Adds a fault. Returns a record of its effects, which is valid as long as the link exists. Throws as
-    /// LinkFaults::add. REQUIRES: the run has not begun.
+    /// Adds a fault. Returns a record of its effects, which is valid as long as the link exists. Throws the exceptions
+    /// of LinkFaults::add. REQUIRES: the run has not begun.
     const FaultEffect& suffer(const LinkFault&);
 
     /// Leads the wires through a device that may stop packets. REQUIRES: the run has not begun; the device outlives the

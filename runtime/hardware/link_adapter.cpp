@@ -62,8 +62,8 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Reads the status register until the data register is ready or the message is given up. An access reads the status of
-/// the moment at which it ends.
+/// Reads the status register until the data register is ready or the message is given up. An access reads the status at
+/// the time at which the access ends.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
@@ -127,7 +127,7 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
         if (!link.input_is_given_up())
             program.access();
         ended = LinkDirection::Ended::nothing;
-        if (!link.input_is_given_up() && link.can_be_read()) // // otherwise the sender has given up the message
+        if (!link.input_is_given_up() && link.can_be_read()) // otherwise the sender has given up the message
             ended = link.read_byte();
     }
 }

@@ -19,8 +19,9 @@ class Process;
 namespace placedpar::hardware {
 
 /// A link adapter (IMS C011, C012) between a link and a bus. It has a register for a byte of output, a register for a
-/// byte of input, and a status for each. It does not overlap acknowledges: an input byte is acknowledged when a program
-/// reads it from the register (Helios-NG sources). So the link's timing must not overlap acknowledges, either.
+/// byte of input, and a status register for each of them. It does not overlap acknowledges: an input byte is
+/// acknowledged when a program reads it from the register (Helios-NG sources). So the link's timing must not overlap
+/// acknowledges, either.
 class LinkAdapter final : public BusSlave {
 public:
     /// The end of the link at which the adapter is; the other end is at a transputer. REQUIRES: the link outlives the

@@ -1,7 +1,7 @@
 // These functions move bytes by counts. Each end states a count, and the two counts may differ.
 //
-// The length of a part is the smaller count. When a part ends and one end's count is not done, the next part begins as
-// soon as the other end states a new count.
+// The length of a part is the smaller count. If the count of one end is not complete when a part ends, the next part
+// begins as soon as the other end states a new count.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"
@@ -58,7 +58,7 @@ void LinkDirection::begin_part_by_counts(LinkState& state) {
         agree_on_part(state);
 }
 
-/// Shortens the part to the receiver's count. This is possible while at most the first byte has begun. Returns whether
+/// Shortens the part to the receiver's count. This is possible until the second byte begins to travel. Returns whether
 /// there is a part that the receiver can take.
 bool LinkDirection::agree_on_part(LinkState& state) {
     LinkState::Direction& direction = state.directions[number_];
@@ -81,7 +81,7 @@ bool LinkDirection::agree_on_part(LinkState& state) {
     return true;
 }
 
-/// Asks for the bytes of the receiver's count.
+/// Asks the sender for the bytes that the receiver still wants.
 void LinkDirection::ask_by_counts() {
     bool all_here = false;
     {
@@ -95,7 +95,7 @@ void LinkDirection::ask_by_counts() {
         end_of_taking();
 }
 
-/// Continues the receiver's count after a part has arrived.
+/// Ends the receiver's transfer after a part has arrived, or asks for the bytes that are still missing.
 void LinkDirection::end_of_taking() {
     if (counts_->to_take > 0)
         return ask_by_counts();

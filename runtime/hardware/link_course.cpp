@@ -21,7 +21,7 @@ LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& o
     ahead_ = &states_[1];
 }
 
-/// Prefetches the states of the link. In a large machine they are in no near cache.
+/// Prefetches the states of the link. In a large machine these states are rarely in a fast cache.
 void LinkCourse::fetch_states() const {
     constexpr std::size_t line = 64;
     const char* first = reinterpret_cast<const char*>(states_.data());
@@ -55,7 +55,7 @@ void LinkCourse::happen() noexcept {
 }
 
 bool LinkCourse::is_still() const {
-    const auto& streams = state_->packets.streams; // of the present, since no step will happen
+    const auto& streams = state_->packets.streams; // up to date, because no step will happen
     return !scheduled() && std::max(streams[0].last_start, streams[1].last_start) < kernel_.now();
 }
 
@@ -135,8 +135,7 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns a time up to which several packets of the copy can be computed together, because only their times must be
-/// computed.
+/// Returns a time up to which several packets of the copy can be computed together, because only their times change.
 Time LinkCourse::runs_before() const {
     Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
     for (std::size_t direction : {0u, 1u}) {

@@ -18,7 +18,7 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// The callbacks of a link's course, called when a packet begins or a step was performed. A Link implements them.
+/// The callbacks of a link's course, called when a packet begins or a step has been performed. A Link implements them.
 class LinkObserver {
 public:
     /// Returns a time up to which every packet that begins reaches the other end, at the present speed, without a call
@@ -63,7 +63,7 @@ public:
     /// Returns the state now. A packet that begins now may or may not be included.
     const LinkState& state();
 
-    /// Returns whether no step will happen before a Touch, nor a byte has begun now.
+    /// Returns whether no step will happen before the next Touch, and no byte has begun at the present time.
     bool is_still() const;
     /// Prefetches the data that bytes_begun_before() reads.
     void fetch() const { __builtin_prefetch(&period_); }
@@ -85,7 +85,7 @@ public:
     // The following functions make more steps visible. Call the first two before the run.
     /// Makes every step an event. Tests compare such a run with a usual run.
     void show_every_step() { every_step_from_ = Time{0}; }
-    /// Makes each packet visible that a fault may strike.
+    /// Makes the start of each packet that a fault may strike a visible step.
     void show_faults() { state_->may_lose_packets = true; }
     /// States whether the trace shows the direction as carrying bytes. If it does not, the direction's next byte is
     /// visible; if it does, the last byte is.
@@ -127,7 +127,8 @@ private:
     enum class Ahead : std::uint8_t { at_once, after_others };
     Ahead where_next_ = Ahead::at_once;
     std::array<bool, 2> trace_carries_{};
-    Time every_step_from_ = too_late; ///< from this time on every step is visible; a step that is too late always is
+    Time every_step_from_ = too_late; ///< from this time on every step is visible; a step at `too_late` is always
+                                      ///< visible
     Time steady_until_ = never;       ///< result of LinkObserver::steady_until()
     std::uint64_t first_rank_;
     Kernel& kernel_;

@@ -37,7 +37,7 @@ struct FaultEffect {
         bool acknowledge;
         std::uint64_t byte; ///< number of the byte in the message, from 1
         /// The kind of message. On a link between routers a message is a packet of a channel, or a packet that
-        /// acknowledges one.
+        /// acknowledges such a packet.
         enum class Message { whole, packet, acknowledging_packet };
         Message message = Message::whole;
     };
@@ -45,8 +45,8 @@ struct FaultEffect {
     std::optional<Hit> first, last;
 };
 
-/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. While it
-/// begins or ceases to lead packets, it must hold a Link::WayChange.
+/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. When the
+/// device begins or ceases to lead packets, it must hold a Link::WayChange.
 class SwitchPath {
 public:
     /// Returns whether packets from end a (else from end b) now reach the other end.

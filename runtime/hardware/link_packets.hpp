@@ -12,8 +12,8 @@ namespace placedpar::hardware {
 
 /// A time that never comes.
 inline constexpr Time never = Time::max();
-/// The time of each step that would come after the end of virtual time. If no other event is left, it ends the run with
-/// an error.
+/// The time of each step that would come after the end of virtual time. If no other event is left, such a step ends the
+/// run with an error.
 inline constexpr Time too_late = never - Time{1};
 /// Returns `t + by`, at most too_late. REQUIRES: 0 <= t <= too_late.
 constexpr Time time_of_step(Time t, Time by) { return by > too_late - t ? too_late : t + by; }

@@ -25,7 +25,7 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// Returns the start of a part's last byte; the earlier one if both directions have begun their last bytes. Returns
+/// Returns the start of a part's last byte; the earlier start if both directions have begun their last bytes. Returns
 /// `never` if no last byte has begun.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;
@@ -134,7 +134,7 @@ void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
             stream.due += by;
         if (std::uint32_t bytes = paces[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            // A byte that began before the first period may have begun at another distance.
+            // The start of a byte that began before the first period may not fit the period.
             bool extrapolated = stream.last_start < since && length <= longest_simple;
             stream.last_start = by + (extrapolated ? since + Time{paces[i].last_start} : stream.last_start);
         }

@@ -18,8 +18,8 @@ struct LinkLimit {
 };
 
 /// The period of a link's packets. After a few bytes the packets of the two directions repeat: each packet of one
-/// direction begins at the same distance from the packets of the other. From then on whole periods are skipped at once.
-/// So a long message costs as much host time as a short one.
+/// direction begins at the same distance in time from the packets of the other direction. From then on whole periods
+/// are skipped at once. So a long message costs as much host time as a short one.
 ///
 /// The most frequently read members come first, so that they share a cache line.
 struct alignas(64) LinkPeriod {
@@ -43,7 +43,7 @@ struct alignas(64) LinkPeriod {
     bool find(LinkPackets&, const PacketTimes&, const LinkLimit&);
     void forget() { since = never; }
 
-    /// Begins again the packets that find() began, up to a limit that is not beyond the limit of find().
+    /// Repeats the starts of the packets that find() began, up to a limit that is not beyond the limit of find().
     void replay(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
     /// Skips as many whole periods as end before `before` and before the last byte of a part. REQUIRES: packets.now is
     /// within the known period.
@@ -57,7 +57,7 @@ struct alignas(64) LinkPeriod {
         std::int64_t periods = (moment - since - Time{pace.last_start}) / length;
         bool one_more = since + Time{pace.start_before} + (periods + 1) * length <= moment;
         return pace.bytes_left - static_cast<std::uint32_t>(periods) * pace.bytes_a_period -
-               (std::uint32_t{one_more} & (pace.bytes_a_period >> 1)); // only for two bytes a period
+               (std::uint32_t{one_more} & (pace.bytes_a_period >> 1)); // needed only if a period has two bytes
     }
 
 private:

@@ -12,8 +12,8 @@ namespace placedpar::hardware {
 using Phase = LinkState::Phase;
 using Ends = LinkState::Ends;
 
-/// Returns whether the packet is lost. Asks the faults, unless the other end has given up the message: its bytes never
-/// arrive, and are not counted as lost.
+/// Returns whether the packet is lost. Consults the faults, unless the other end has given up the message. The bytes of
+/// such a message never arrive, but are not counted as lost.
 bool LinkDirection::is_lost(LinkStep step) {
     using Message = FaultEffect::Hit::Message;
     const bool acknowledge = step == LinkStep::acknowledge_begins;
@@ -81,7 +81,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
         touch->drop_last_byte(number_);
 }
 
-/// Stops the sender in the middle of its message. Does nothing to a message if none is being sent.
+/// Stops the sender in the middle of its message. If no message is being sent, only withdraws the next packet.
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     if (is_sending()) {

@@ -69,7 +69,8 @@ LinkState::Next LinkState::next() const {
     return next;
 }
 
-/// Has no branches in its loop, because the host processor cannot predict the outcome.
+/// Returns the index of the earliest arrival. The loop has no branches, because the host processor cannot predict the
+/// outcome.
 std::size_t LinkState::first_arrival() const {
     Time earliest = arrivals[0];
     std::size_t first = 0;
@@ -103,7 +104,7 @@ LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times
 }
 
 /// Begins a byte. A first byte whose receiver waits is noticed before the whole byte has arrived. If packets cannot be
-/// lost, this arrival then changes nothing and is left out.
+/// lost, the arrival of this byte then changes nothing, and is left out.
 LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
@@ -189,7 +190,8 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// Withdraws the next packet. If it waited for its wire, the link is busy until the end of the packet ahead of it.
+/// Withdraws the next packet. If this packet waited for its wire, the link is busy until the packet that occupies the
+/// wire ends.
 void LinkState::stop(std::size_t d, Phase phase) {
     directions[d].at = may_start(d);
     directions[d].phase = phase;

@@ -24,7 +24,7 @@ enum class LinkStep : std::uint8_t {
 };
 
 /// The state of a link at a moment, and the rule by which it changes. The state is a value. So a copy can be run ahead,
-/// to find out what happens if no process and no fault acts on the link before.
+/// to find out what happens if no process and no fault acts on the link in the meantime.
 ///
 /// When a byte travels, the receiving end notices it after a latency. If a receiver has asked for the byte, the
 /// receiving end acknowledges it. The acknowledge allows the next byte to start. A message travels in one or several
@@ -86,8 +86,8 @@ struct alignas(64) LinkState {
         std::uint64_t rank() const { return order % ranks; }
     };
     static constexpr std::uint8_t ranks = 8; ///< number of ranks that a link has within one priority
-    /// Returns the first step that happens if no process and no fault acts on the link before. Simultaneous steps are
-    /// ordered: requests for a wire come first, then packets that begin (an acknowledge before a byte on the same
+    /// Returns the next step, which happens unless a process or a fault acts on the link before it. Simultaneous steps
+    /// are ordered: requests for a wire come first, then packets that begin (an acknowledge before a byte on the same
     /// wire), then arrivals.
     Next next() const;
     /// Returns the next packet of a direction. Its time is `never` if there is no next packet.
@@ -140,8 +140,7 @@ struct alignas(64) LinkState {
     bool is_sure_of_receiver(std::size_t direction) const {
         return directions[direction].receiver == Receiver::waits && !expects_last_byte(direction);
     }
-    /// Returns a time up to which packets of this direction can be computed together: only their times must be
-    /// computed.
+    /// Returns a time up to which packets of this direction can be computed together, because only their times change.
     Time runs_before(std::size_t direction, const PacketTimes&) const;
     /// Returns the index of the earliest entry of `arrivals`.
     std::size_t first_arrival() const;

@@ -15,9 +15,9 @@ namespace placedpar::hardware {
 /// takes 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
 /// comp.sys.transputer, January 1991), and 11.25 by the ping-pong of Poznan (2008). Poznan also measured 21.5 bit
 /// periods through three switches, which leaves 11.0 without the switches. These figures differ by up to 5 %; our 11.2
-/// is within 3 % of each. In both directions together a byte takes 17.0 bit periods (2350 Kbyte/s in sum): 11 and the
-/// restart. At 10 and 5 Mbit/s a byte takes fewer bit periods. So part of the restart is modelled as logic that does
-/// not slow down with the link.
+/// is within 3 % of each. In both directions together a byte takes 17.0 bit periods (2350 Kbyte/s in sum): the 11 bits
+/// of the byte and the restart. At 10 and 5 Mbit/s a byte takes fewer bit periods. So part of the restart is modelled
+/// as logic that does not slow down with the link.
 struct LinkTiming {
     static constexpr std::int64_t usual_speed = 20'000'000;
     std::int64_t bits_per_second = usual_speed;

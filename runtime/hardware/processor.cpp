@@ -38,9 +38,11 @@ void require_sense(const Process& self, Cycles cycles, const CodeShape& grain) {
     if (cycles < Cycles{0})
         throw std::logic_error("process " + self.path() + " computes for a negative number of cycles");
     if (grain.between_points < Cycles{1} || grain.instruction < Cycles{1})
-        throw std::logic_error("process " + self.path() + " computes with a grain of less than a cycle");
+        throw std::logic_error(
+            "process " + self.path() +
+            " computes with a CodeShape whose `between_points` or `instruction` is less than one cycle");
     if (grain.words_outside < 0)
-        throw std::logic_error("process " + self.path() + " computes with a negative number of words");
+        throw std::logic_error("process " + self.path() + " computes with a negative number of words outside the chip");
 }
 
 } // namespace

@@ -60,17 +60,18 @@ public:
 
     /// `channel_call`: cycles that the program's communication library adds to each input and output, on soft and hard
     /// channels. It is 0 for occam, which compiles inputs and outputs in line. `switching`: cycles of a switch to the
-    /// next process. A process that takes another's place (PAR), and a process that continues after an interrupt, pay
-    /// nothing for the switch. Throws std::logic_error unless clock_hz > 0, an access takes at least one cycle, a word
-    /// has 2 or 4 bytes, and switching >= 0.
+    /// next process. A process that takes another process's place (PAR), and a process that continues after an
+    /// interrupt, pay nothing for the switch. Throws std::logic_error unless clock_hz > 0, an access takes at least one
+    /// cycle, a word has 2 or 4 bytes, and switching >= 0.
     Processor(Kernel&, std::string name, std::int64_t clock_hz = usual_clock, Cycles channel_call = Cycles{0},
               const Memory& = {}, Cycles switching = usual_switching);
 
     /// Adds a link, one end of which is at this processor. The engines at this end use the processor's memory.
     /// REQUIRES: the link outlives the run.
     void has_link(Link&);
-    /// Stops the processor at this time. It executes nothing more, and processes that wait for it wait for ever. Its
-    /// links continue to work unless they have a fault of their own (LinkFault). REQUIRES: the run has not begun.
+    /// Stops the processor at this time. From then on it executes nothing, and processes that wait for its processes
+    /// wait for ever. Its links continue to work unless they have a fault of their own (LinkFault). REQUIRES: the run
+    /// has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     bool halted() const override;
 
@@ -121,8 +122,8 @@ private:
     Time settled_at_{}; ///< the work of the current process up to this time has been subtracted from its remaining work
 
     std::int64_t words_settled_ = 0; ///< words_moved_by_links() at the time settled_at_
-    // The last result of words_moved_by_links(), and its time. At one time the result changes only if a part of a
-    // message ends.
+    // The last result of words_moved_by_links(), and its time. While the time stays the same, the result changes only
+    // if a part of a message ends.
     Time counted_at_{-1};
     std::uint64_t words_ = 0, ended_when_counted_ = 0;
     LinkEngineMemory engines_;

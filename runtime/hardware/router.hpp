@@ -39,8 +39,8 @@ struct RouterPacket {
 /// The costs of a router for its processor.
 struct RouterCosts {
     /// The priority of the two processes at each link. At high priority they pre-empt a computing process of low
-    /// priority. At low priority they wait for it, up to two timeslice periods for each packet that they send or
-    /// receive.
+    /// priority. At low priority they wait for such a process, up to two timeslice periods for each packet that they
+    /// send or receive.
     Priority priority = Priority::high;
     /// Cost of sending or receiving a packet, in addition to the instructions. Ours: queueing, looking up the route,
     /// rescheduling.
@@ -71,8 +71,8 @@ public:
     Router& operator=(const Router&) = delete;
 
     /// Return the number of packets that were passed on from one link to another, and their cost to the processor,
-    /// including instructions. The cost does not include interrupts of other processes, at most one when a packet comes
-    /// and one when it has gone.
+    /// including instructions. The cost does not include the interrupts of other processes. A packet causes at most two
+    /// of them, one when it comes and one when it has gone.
     std::uint64_t packets_passed_on() const { return packets_passed_on_; }
     Cycles cycles_of_passing_on() const;
 
@@ -107,7 +107,7 @@ private:
         const Route* being_sent_ = nullptr; ///< route of the packet that the sender is sending
         bool on_link_ = false;              ///< the sender is outputting this packet
         std::deque<std::deque<RouterPacket>>
-            turns_;                ///< packets that wait, grouped by channel; the first group is sent next
+            turns_;                ///< packets that wait, grouped by channel; a packet of the first group is sent next
         bool sender_idle_ = false; ///< the sender waits for a packet to send
         Process sender_, receiver_;
     };
@@ -147,8 +147,8 @@ struct Hop {
 
 /// A channel that travels in packets over one or more links. It is a rendezvous like any other channel: the outputting
 /// process continues when the acknowledge of its last packet has returned. A packet is acknowledged when the inputting
-/// process takes it. Until then it waits at the receiving end, so a channel with a late receiver does not block other
-/// channels.
+/// process takes it. Until then the packet waits at the receiving end, so a channel with a late receiver does not block
+/// other channels.
 class Route final : public Carrier {
 public:
     static constexpr std::size_t most_under_way = 4; ///< ours: largest number of packets sent and not yet acknowledged

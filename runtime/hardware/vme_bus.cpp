@@ -21,8 +21,9 @@ void require_place(const VmeBus& bus, const std::string& name, const VmePlace& p
             "bus {}: a master has a level from 0 to {} and a slot from 1 to {}; {} has level {} and slot {}",
             bus.name(), levels - 1, slots, name, place.level, place.slot));
     if (bus.arbitration() == Arbitration::single_level && place.level != levels - 1)
-        throw std::logic_error(fmt::format("bus {}: an arbiter of a single level only knows BR3; {} has BR{}",
-                                           bus.name(), name, place.level));
+        throw std::logic_error(
+            fmt::format("bus {}: on a bus with a single level every master must have BR3; {} has BR{}", bus.name(),
+                        name, place.level));
 }
 
 } // namespace

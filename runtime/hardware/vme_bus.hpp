@@ -70,8 +70,8 @@ public:
 /// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up. It
 /// decides among all masters that then request the bus.
 /// 2. The move of a word is always completed. After the word, a master with Release::on_request gives up the bus if any
-/// other master requests it. A master with Release::when_done gives it up within a block only to a higher level, and
-/// only if the arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
+/// other master requests it. A master with Release::when_done gives it up within a block only to a master of a higher
+/// level, and only if the arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
 /// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
 /// arbitration.
 /// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
@@ -138,8 +138,8 @@ struct VmePlace {
     Release release = Release::when_done;
 };
 
-/// The costs of programmed input and output for a master's program, in cycles of the executive's clock. The bus's time
-/// comes in addition.
+/// The costs of programmed input and output for a master's program, in cycles of the executive's clock. The time on the
+/// bus is added to these costs.
 struct BusProgram {
     Cycles byte_access{};         ///< access to a register
     Cycles read_word{};           ///< reading a word of memory
@@ -154,8 +154,8 @@ struct BusProgram {
 class VmeMaster {
 public:
     /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
-    /// 1 to 21. Also throws it if the slot belongs to another master, or if the level is not 3 on a bus with a single
-    /// level.
+    /// 1 to 21. Also throws std::logic_error if the slot belongs to another master, or if the level is not 3 on a bus
+    /// with a single level.
     VmeMaster(Kernel&, std::string name, VmeBus&, const VmePlace& = {}, const BusProgram& = {});
     VmeMaster(const VmeMaster&) = delete;
     VmeMaster& operator=(const VmeMaster&) = delete;
@@ -177,7 +177,7 @@ public:
     std::uint64_t words_moved() const { return words_moved_; }
     std::uint64_t bytes_accessed() const { return bytes_accessed_; }
     std::uint64_t bus_errors() const { return bus_errors_; }
-    /// Return how often the bus was granted, the total time and the longest time of waiting for it.
+    /// Return how often the bus was granted, the total time and the longest time of waiting for the bus.
     std::uint64_t grants() const { return grants_; }
     Time time_waited() const { return waited_; }
     Time longest_wait() const { return longest_wait_; }

@@ -22,7 +22,7 @@ bool is_after(Word time, Word other) { return signed_of(time - other) > 0; }
 
 } // namespace
 
-/// Returns whether a channel's partner waits for an input.
+/// Returns whether an input from the channel would find a message.
 bool Core::is_ready(Word channel) {
     if (const int link = link_input(channel); link >= 0)
         return links_.byte_waits(link);
@@ -53,7 +53,8 @@ void Core::disable_channel() {
     select(ready);
 }
 
-/// Selects the guard of a disable instruction if it is the first that is ready. A is its offset.
+/// Selects the guard of a disable instruction if it is the first ready guard. Register A holds the offset of the
+/// guarded process.
 void Core::select(bool ready) {
     const bool selected = ready && load(registers_.workspace) == alternative::none_selected;
     if (selected)
@@ -162,7 +163,7 @@ void Core::join_timers(Word time) {
     find_next_timer();
 }
 
-/// If a process that was woken by something else is in its timer queue, removes it, and notes the time.
+/// If a process that was woken by something other than its timer is in its timer queue, removes it, and notes the time.
 void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;

@@ -62,7 +62,7 @@ std::size_t place_of(std::string_view mark, std::string_view text) {
     return text.size();
 }
 
-/// Removes and returns the text before the place. The character there is dropped, and so is the space around both.
+/// Removes and returns the text before the place. Drops the character at the place, and the space around both parts.
 std::string_view cut(std::string_view& text, std::size_t place) {
     const auto part = trimmed(text.substr(0, place));
     text = trimmed(text.substr(std::min(place + 1, text.size())));
@@ -90,8 +90,8 @@ public:
         }
     }
 
-    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so this
-    /// ends.
+    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so the
+    /// number of passes is finite.
     Assembly run() && {
         pass();
         sizes_known_ = true;
@@ -137,7 +137,7 @@ private:
             bool has_label = false;
             const Word number = value(text, has_label);
             if (has_label)
-                fail(text, "a label has no address yet: write a sum of numbers and of names of numbers");
+                fail(text, "a label has no address yet: use only numbers and names of numbers");
             define(constants_, name, number);
             text = {};
         }
@@ -277,7 +277,7 @@ private:
                 return constant->second;
             const auto found = program_.labels.find(text);
             if (found == program_.labels.end())
-                fail(text, fmt::format("nothing has the name \"{}\"", text));
+                fail(text, fmt::format("no label and no number has the name \"{}\"", text));
             has_label = true;
             return found->second;
         }
@@ -290,7 +290,7 @@ private:
         return number;
     }
 
-    /// REQUIRES: `where` is a part of the line under way.
+    /// REQUIRES: `where` is a part of the current line.
     [[noreturn]] void fail(std::string_view where, const std::string& what) const {
         throw AssemblyError(what, line_, static_cast<std::size_t>(where.data() - line_begin_) + 1);
     }
@@ -307,8 +307,8 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least) {
-    // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which
-    // complements.
+    // A prefix shifts what has been loaded by 4 bits. The first prefix of a negative operand is nfix, which also
+    // complements the result.
     const std::int64_t value = operand;
     std::size_t length = std::max(least, std::size_t{operand < 0 ? 2U : 1U});
     while (length < 8 && (value >= std::int64_t{1} << 4 * length || value < -(std::int64_t{1} << 4 * length)))

@@ -13,7 +13,7 @@
 
 namespace placedpar::transputer {
 
-/// A program that an assembler made.
+/// An assembled program.
 struct Assembly {
     struct Line {
         Word address;
@@ -45,20 +45,22 @@ struct AssemblyError : std::runtime_error {
 /// with any number of instructions; label and comment may be missing. Mnemonics are in lower case.
 ///
 /// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and names such as `table - start + 4`.
-///   Numbers are decimal, or hexadecimal after `#`. Prefixes are added as needed; they make the shortest code.
+///   Numbers are decimal, or hexadecimal after `#`. The assembler adds as many prefixes as the operand needs, and makes
+///   the shortest code.
 /// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is the distance from the next instruction.
-/// - `ldpi` with an operand loads the address of a label, independent of the program's address: `ldc label - here;
+/// - `ldpi` with an operand loads the address of a label, wherever the program is loaded. It becomes `ldc label - here;
 ///   ldpi; here:`.
-/// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes any code.
+/// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes the operation with this
+///   code.
 /// - An operation that the floating-point unit selects by a number, such as `fpusqrtfirst`, becomes `ldc 1; fpentry`.
-/// - `.byte`, `.half` and `.word` store values of 1, 2 and 4 bytes: sums, separated by commas. `.byte` also stores the
-///   characters of a text in quotes. `.align` stores zeros up to the next whole word.
+/// - `.byte`, `.half` and `.word` store sums, separated by commas, as values of 1, 2 and 4 bytes. `.byte` also stores
+///   the characters of a text in quotes. `.align` stores zeros up to the next whole word.
 /// - `size = 4 + 1` gives a number a name, for the lines that follow.
 ///
-/// If a model is given, other models' operations are errors. Throws AssemblyError.
+/// If a model is given, operations that this model lacks are errors. Throws AssemblyError if the program has an error.
 Assembly assemble(std::string_view source, Word origin = 0, std::optional<Model> = std::nullopt);
 
-/// Returns the bytes of one instruction with its prefixes: the shortest that has at least `least` bytes.
+/// Returns the bytes of one instruction with its prefixes, in the shortest form that has at least `least` bytes.
 std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least = 1);
 
 } // namespace placedpar::transputer

@@ -13,7 +13,7 @@ class ByteLane;
 /// must not wait or throw.
 class ByteEnd {
 public:
-    /// Copies the next bytes to be given.
+    /// Copies the next bytes of give().
     virtual void read(std::span<std::uint8_t>) = 0;
     /// Called when all bytes of give() have been acknowledged.
     virtual void given() = 0;
@@ -36,19 +36,20 @@ protected:
 class ByteLane final : private hardware::ByteUser {
 public:
     /// Leads from `source` to `sink`, and becomes a lane of both. REQUIRES: the run has not begun; the arguments
-    /// outlive it. Throws as LinkDirection::move_by_counts.
+    /// outlive the run. Throws the exceptions of LinkDirection::move_by_counts.
     ByteLane(hardware::LinkDirection&, ByteEnd& source, ByteEnd& sink);
     ByteLane(const ByteLane&) = delete;
     ByteLane& operator=(const ByteLane&) = delete;
 
-    /// Throw as the functions of LinkDirection.
+    /// Call LinkDirection::give (take) and throw its exceptions.
     void give(std::uint32_t bytes);
     void take(std::uint32_t bytes);
     /// Cancel the bytes that this end still has to give or take: see LinkDirection::reset_giving.
     void reset_giving();
     /// Returns how many bytes of the current count had arrived; 0 if there is none.
     std::uint32_t reset_taking();
-    /// If all bytes of take() have arrived, stores them before the end of the last byte. Returns whether it did.
+    /// Stores the bytes of take() if the receiver has all of them, although the last bits may still be on the wire.
+    /// Returns whether the bytes were stored.
     bool store_early();
     bool has_byte() const { return wire_.byte_waits(); }
     bool is_giving() const { return gives_; }
@@ -72,7 +73,7 @@ private:
     bool gives_ = false, takes_ = false;
 };
 
-/// A link both of whose ends move bytes by counts.
+/// A link whose two ends move bytes by counts.
 struct ByteLink {
     ByteLink(hardware::Link& link, ByteEnd& a, ByteEnd& b)
         : there(link.from_a_to_b(), a, b), back(link.from_b_to_a(), b, a) {}

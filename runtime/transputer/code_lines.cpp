@@ -42,14 +42,16 @@ public:
         digits.remove_prefix(is_relative ? 1 : 0);
         const auto value = digits.starts_with('#') ? number<Word>(digits.substr(1), 16) : std::nullopt;
         if (!value || (is_relative && *value > ~memory_start) || (!is_relative && *value < most_negative))
-            refuse(fmt::format("{} is not an address such as #80000170, or +#100 from MemStart on", what), last_);
+            refuse(
+                fmt::format("{} is not an address such as #80000170, or an offset from MemStart such as +#100", what),
+                last_);
         return is_relative ? memory_start + *value : *value;
     }
 
     std::uint32_t count(const char* what) {
         const auto value = number<std::uint32_t>(word(what), 10);
         if (!value || *value == 0)
-            refuse(fmt::format("{} is not a whole number from 1 on", what), last_);
+            refuse(fmt::format("{} is not a whole number of at least 1", what), last_);
         return *value;
     }
 
@@ -70,7 +72,7 @@ public:
 
     void end() const {
         if (!at_end())
-            refuse("nothing more is expected in this row", at_);
+            refuse("the row is complete before this word: delete the rest of the line", at_);
     }
 
 private:
@@ -162,7 +164,7 @@ private:
         end_section();
         name_ = row.name("NAME");
         if (!names_.insert(name_).second)
-            row.refuse(fmt::format("the node \"{}\" has rows already", name_), 0);
+            row.refuse(fmt::format("the node \"{}\" has rows already: put all rows of a node together", name_), 0);
     }
 
     void end_section() {
@@ -180,7 +182,7 @@ private:
         std::ranges::stable_sort(rows, {}, &Row::from);
         for (std::size_t i = 1; i < rows.size(); ++i)
             if (rows[i].from < rows[i - 1].until || rows[i].from == rows[i - 1].from)
-                throw CodeLinesError(fmt::format("the row has an address of the row in line {}",
+                throw CodeLinesError(fmt::format("the row has an address that the row in line {} has already",
                                                  std::min(rows[i].line, rows[i - 1].line)),
                                      std::max(rows[i].line, rows[i - 1].line), 1);
     }

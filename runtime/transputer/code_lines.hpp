@@ -19,7 +19,7 @@ struct CodeLinesError : std::runtime_error {
 
 /// A compiler's table of the code and the workspaces of a node. Each row of the table has one of these forms:
 ///
-///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is of this place; no two rows overlap
+///     code FROM UNTIL LINE COLUMN FILE   the code in [FROM, UNTIL) is for this place; no two rows overlap
 ///     entry ADDRESS NAME                 a procedure begins here
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
 ///     error ADDRESS TEXT                 the meaning if the instruction before ADDRESS sets Error, or is a
@@ -29,14 +29,14 @@ struct CodeLinesError : std::runtime_error {
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
 ///
-/// An address is hexadecimal, #80000170, or counts from MemStart, +#100. FILE, NAME and TEXT extend to the end of the
-/// line. Rows before the first `node` are for the node that the file boots. Empty lines and lines that begin with --
-/// are comments.
+/// An address is hexadecimal, such as #80000170, or an offset from MemStart, such as +#100. FILE, NAME and TEXT extend
+/// to the end of the line. Rows before the first `node` are for the node that the file boots. Empty lines and lines
+/// that begin with -- are comments.
 class CodeLines {
 public:
     CodeLines() = default;
-    /// Reads the rows for a node, "" for the node that the file boots; the other rows are checked, too. `memory_start`:
-    /// the address of MemStart. Throws CodeLinesError.
+    /// Reads the rows for a node, and checks the other rows, too. `node` is "" for the node that the file boots.
+    /// `memory_start`: the address of MemStart. Throws CodeLinesError if the table has an error.
     CodeLines(std::string_view table, std::string_view node, Word memory_start);
 
     /// Returns the place of code, "ring.occ:12:3", or its distance from the procedure that begins before it,

@@ -96,7 +96,7 @@ private:
 /// The collectors of INMOS's toolsets divide code into packets of this number of bytes, each preceded by its length
 /// (observed in files).
 constexpr std::size_t packet_bytes = 60;
-/// A stage that is longer is shown in parts.
+/// The greatest length of a stage. A longer stage is shown in parts.
 constexpr std::size_t longest_stage = 4096 * (packet_bytes + 1);
 
 /// Bytes of a file that are loaded together into memory.
@@ -110,7 +110,7 @@ struct BootStage {
     std::size_t last() const { return position(bytes.size() - 1); }
 };
 
-/// Splits a bootable file.
+/// Splits a bootable file into stages.
 class BootStages {
 public:
     explicit BootStages(CodeView file) : file_(file) {}

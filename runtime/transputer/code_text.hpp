@@ -19,7 +19,7 @@ std::string print_instruction(const CodedInstruction&, std::string_view target);
 std::string print_bytes(std::span<const std::uint8_t>);
 /// Returns an address: "#80000070".
 std::string print_address(Word);
-/// Returns the lines of memory that begins at an address, for at most `most_lines`.
+/// Returns disassembled memory, at most `most_lines` lines. `address`: the address of the first byte.
 std::string print_memory(std::span<const std::uint8_t>, Word address, std::span<const Word> entries, Model,
                          std::size_t most_lines = std::numeric_limits<std::size_t>::max());
 

@@ -97,8 +97,8 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
     return false;
 }
 
-/// Performs a communication on this processor, and switches to the next process, if it ends before `until`. Returns
-/// `scheduling` if nothing was done, and `budget` if execution can continue.
+/// If a communication on this processor ends before `until`, performs it, and switches to the next process if needed.
+/// Returns `scheduling` if nothing was done, and `budget` if execution can continue.
 PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Registers& r, HalfCycles until) {
     const Communication asked = communication_by(operation, r);
     const HalfCycles ends = local_ + cost_of(operation, asked);

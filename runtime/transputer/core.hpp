@@ -19,25 +19,26 @@ namespace placedpar::transputer {
 
 class CodeLines; // runtime/transputer/code_lines.hpp
 
-/// The constants of time of a node.
+/// The timing constants of a node.
 struct CoreTiming {
     std::int64_t clock_hz = 20'000'000;
     int memory_cycles = 3; ///< cycles of an access to a word outside of the chip; published: at least 3
-    int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up
-    /// States whether every access outside of the memory reaches it again from its beginning, as on boards. Otherwise
-    /// only lb, sb, ldnl and stnl wrap, because programs use them to find the size of the memory; other accesses stop
-    /// the core.
+    int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up the
+                           ///< processor
+    /// States whether all addresses beyond the memory wrap round to its beginning, as on boards. Otherwise only
+    /// addresses of lb, sb, ldnl and stnl wrap, because programs use them to find the size of the memory; other
+    /// accesses stop the core.
     bool wraps = false;
 };
 
 /// The link operations that a core needs. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event
-/// channel. Must not wait or throw.
+/// channel. The functions must not wait or throw.
 class LinkEngines {
 public:
     /// Begins to move bytes from or to memory. Core::transfer_ended() is called at the end. If the link is not
     /// connected, the transfer never ends.
     virtual void begin_transfer(int channel, Word address, Word bytes) = 0;
-    /// Returns whether a byte waits at an input without a transfer.
+    /// Returns whether a byte waits at an input that has no transfer.
     virtual bool byte_waits(int channel) = 0;
     /// Cancels the current transfer.
     virtual void reset(int channel) = 0;
@@ -57,31 +58,33 @@ class Core : private CoreState {
 public:
     Core(Model, std::uint64_t memory_bytes, const CoreTiming&, LinkEngines&);
 
-    /// Where a run() has ended.
+    /// The reason why a run() has ended.
     enum class Pause {
         limit,   ///< local time has reached the limit
-        on_time, ///< the next effect concerns links, queues or clocks; it must happen at its own moment: call run()
-                 ///< then. Also after an effect on a link, since now others may act on the core.
+        on_time, ///< the next effect concerns links, queues or clocks, and must happen at its own time: call run() at
+                 ///< this time. Also returned after an effect on a link, because other devices may then act on the
+                 ///< core.
         idle,    ///< no process can run before a timer is due or a link wakes one
         stopped  ///< see stopped()
     };
-    /// The actions of links on the core that are possible before it reaches the limit of a run.
+    /// What links may do to the core before the core reaches the limit of a run.
     enum class Links {
         rest,          ///< nothing
-        take_accesses, ///< take accesses to the memory. What depends on clocks happens at its own moment, after
+        take_accesses, ///< take accesses to the memory. Effects that depend on clocks happen at their own times, after
                        ///< lose_accesses().
-        may_wake       ///< also make processes ready. Every effect on queues and clocks happens at its own moment.
+        may_wake       ///< also make processes ready. Every effect on queues and clocks happens at its own time.
     };
     /// Executes until an instruction would begin at `limit` or later. Effects at the limit or later do not happen.
-    /// REQUIRES: the caller's time is local_time(), or later if the core is idle; then call pass_idle_time() first.
+    /// REQUIRES: the present time is local_time(). If the core is idle, the present time may be later; then call
+    /// pass_idle_time() before run().
     Pause run(HalfCycles limit, Links = Links::rest);
 
     /// Saves the state and the memory, so that go_back() can restore them.
     void keep();
     /// Discards the saved state.
     void let_go() { memory_.let_go(); }
-    /// Restores the saved state. REQUIRES: keep() was called, and since then neither let_go() nor go_back(). No link
-    /// has acted on the core since, nor has the core on a link.
+    /// Restores the saved state. REQUIRES: keep() was called, and neither let_go() nor go_back() was called after it.
+    /// Since keep(), no link has acted on the core, and the core has not acted on a link.
     void go_back();
     /// Handles timers and the end of a timeslice period if one of them was due before `then`.
     void attend_if_due(Time then) {
@@ -89,7 +92,7 @@ public:
             attend();
     }
 
-    /// Local time: half cycles since the core was last woken from idleness.
+    /// Returns the local time: the number of half cycles since the core was last woken from idleness.
     HalfCycles local() const { return local_; }
     Time time_at(HalfCycles local) const {
         return later(origin_, half_cycles_.duration(static_cast<std::int64_t>(local)));
@@ -97,23 +100,25 @@ public:
     Time local_time() const { return time_at(local_); }
     /// Returns the first half cycle at or after a time. REQUIRES: time >= time_at(0).
     HalfCycles half_cycle_at(Time) const;
-    /// Sets local time after idleness. REQUIRES: the last run() ended idle, or none has begun.
+    /// Sets the local time after the core was idle. REQUIRES: the last run() ended idle, or none has begun.
     void pass_idle_time(Time now);
-    /// Adds the time in which link engines moved this number of words from or to memory.
+    /// Advances the local time by the accesses in which link engines moved this number of words from or to memory.
     void lose_accesses(std::uint64_t words);
     /// Returns when the first timer is due; Time::max() if none is.
     Time next_timer() const { return next_timer_; }
     /// Returns the local time at which the core next handles its timers and timeslices.
     HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
-    /// Takes ready processes in an order drawn from these numbers from now on, and not in the order in which they
-    /// became ready. The instruction set guarantees that order, but occam does not.
+    /// From now on, runs ready processes in an order that is drawn from these random numbers. The instruction set
+    /// guarantees that ready processes run in the order in which they became ready, but occam does not.
     void shuffle(const RandomStream& lots) { shuffle_ = lots; }
-    /// Begins to run code as the boot does. `old` registers are passed in A and B.
+    /// Begins to execute code at MemStart, as at the end of a boot. The old Iptr and Wptr are passed in A and B, and
+    /// the address of the input channel in C.
     void boot(Word code_bytes, int input_channel);
     /// Makes the process that waits at a link's channel ready: its transfer is done.
     void transfer_ended(int channel);
-    /// Handles a byte that arrived without a transfer: makes an ALT that waits for it ready.
+    /// Handles a byte that arrived without a transfer. If a process waits for the byte in an ALT, makes the process
+    /// ready.
     void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
@@ -127,7 +132,7 @@ public:
     /// Returns whether a process runs or is ready.
     bool is_active() const { return running_ || front_[0] != not_a_process || front_[1] != not_a_process; }
 
-    /// Lets the core stop at the next j, lend or wait, as the analyse pin does.
+    /// Makes the core stop at the next j, lend or wait, as the analyse pin does.
     void stop_for_analyse() { is_analysed_ = true; }
     /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
     /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
@@ -144,7 +149,7 @@ public:
         Time at;
     };
     /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
-    /// table has an error text. The list has only the first of these processes, in order of time.
+    /// table has an error text. The list has only the first few of these processes, in order of time.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
@@ -153,8 +158,8 @@ public:
     /// Sets the table of error texts. REQUIRES: the table outlives the run.
     void know_errors(const CodeLines& lines) { lines_ = &lines; }
 
-    /// Describes why the core stopped, with the instruction and its address: "instruction #1F2 at #80000104 is unknown
-    /// to a T800".
+    /// Describes why the core stopped, with the instruction and its address: "the bytes at #80000104 are not an
+    /// instruction of a T800".
     std::string why_stopped() const;
 
     Model model() const { return model_; }
@@ -184,16 +189,16 @@ public:
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
-    /// Watches the instructions, for listings and debuggers. REQUIRES: it only reads the core.
+    /// Watches the instructions, for listings and debuggers. REQUIRES: the watcher only reads the core.
     class Watcher {
     public:
-        /// An instruction will be executed: registers and memory have the values before it. `at`: address of its first
-        /// byte with its prefixes.
+        /// Called before an instruction is executed. `at`: address of the instruction's first byte, including its
+        /// prefixes.
         virtual void begins(Word at) = 0;
-        /// An instruction was executed, and did not stop the core. Unless it is an instruction of the scheduler, it is
-        /// the instruction that began last. An instruction of the scheduler has its effect only now, after its cycles;
-        /// other processes may have interrupted it. `spent`: half cycles, without waits for a channel or a time, and
-        /// without interrupts.
+        /// Called after an instruction was executed and did not stop the core. Unless it is an instruction of the
+        /// scheduler, it is the instruction that began last. An instruction of the scheduler has its effect only now,
+        /// after its cycles; other processes may have interrupted it. `spent`: half cycles, without waits for a channel
+        /// or a time, and without interrupts.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
@@ -216,7 +221,7 @@ public:
         stops, ///< the process has left the processor and waits for nothing, or the core has stopped
         ends
     };
-    /// Watches processes, for traces. REQUIRES: it only reads the core.
+    /// Watches processes, for traces. REQUIRES: the watcher only reads the core.
     class ProcessWatcher {
     public:
         /// Called when a process changes its activity, at the local time. `workspace` is the process's present
@@ -234,7 +239,7 @@ public:
     bool is_watched() const { return watcher_ != nullptr || process_watcher_ != nullptr; }
 
 private:
-    /// Why execute() has returned to the scheduler.
+    /// The reason why execute() has returned to the scheduler.
     enum class Left : std::uint8_t {
         budget,
         scheduling, ///< an instruction of the scheduler must have its effect later
@@ -328,7 +333,7 @@ private:
     }
     void write(Word offset, std::span<const std::uint8_t>);
     void prepare_write(Word offset, Word bytes);
-    /// Returns the number of words that an interval touches, with part words at its ends.
+    /// Returns the number of words that an interval touches, including words that it covers only in part.
     static HalfCycles words_touched(Word address, Word bytes) {
         return bytes == 0 ? 0 : ((HalfCycles{address} & 3) + bytes + 3) / 4;
     }
@@ -344,7 +349,8 @@ private:
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
-    /// A program may write a circle into its memory: no queue is longer than this.
+    /// Returns a length that no proper queue exceeds. A longer queue is a circle that the program wrote into its
+    /// memory.
     Word longest_queue() const { return memory_.size() / 4; }
     void enable_channel();
     void disable_channel();
@@ -385,7 +391,7 @@ private:
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;
-    std::vector<StoppedProcess> stops_; ///< those after the first `errors_` have been taken back
+    std::vector<StoppedProcess> stops_; ///< entries after the first `errors_` have been taken back
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;
 };

@@ -89,7 +89,7 @@ void Core::copy_to_memory(Word offset, std::span<const std::uint8_t> bytes) {
 
 void Core::move_block(Word from, Word to, Word bytes) {
     const Word source = NodeMemory::offset_of(from), target = NodeMemory::offset_of(to);
-    if (bytes == 0) // programs move nothing from or to address 0
+    if (bytes == 0) // programs move 0 bytes from or to the address 0
         return;
     if (memory_.holds(source, bytes) && memory_.holds(target, bytes))
         return write(target, memory_.bytes(source, bytes));
@@ -100,10 +100,11 @@ void Core::move_block(Word from, Word to, Word bytes) {
     copy_to_memory(target, copied);
 }
 
-/// Returns whether an interval outside of the memory may be used: it wraps, and does not use a byte twice.
+/// Returns whether an interval outside of the memory may be used: addresses wrap, and the interval does not use a byte
+/// twice.
 bool Core::can_wrap(Word bytes) const { return timing_.wraps && bytes <= memory_.size(); }
 
-/// Moves rows of bytes: all, those that are not 0, or those that are 0.
+/// Moves rows of bytes: all bytes, only the bytes that are not 0, or only the bytes that are 0.
 void Core::move_in_two_dimensions(Operation operation) {
     const auto [width, target, source] = std::tuple{registers_.a, registers_.b, registers_.c};
     const auto [rows, target_stride, source_stride] = move_;
@@ -146,7 +147,7 @@ std::string Core::why_stopped() const {
         return fmt::format(
             "the instruction at #{:08X} uses the address #{:08X}, but memory is from #80000000 to #{:08X}", at,
             stopped_at_, most_negative + memory_.size() - 1);
-    case Stopped::by_analyse: return fmt::format("analyse has stopped it before #{:08X}", at);
+    case Stopped::by_analyse: return fmt::format("the analyse pin stopped it before the instruction at #{:08X}", at);
     case Stopped::by_break: return fmt::format("the instruction before #{:08X} is a breakpoint", at);
     }
     return "";

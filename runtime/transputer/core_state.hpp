@@ -39,7 +39,7 @@ struct ErrorNote {
 struct Pending {
     Operation operation;
     HalfCycles left;
-    bool begun = true; ///< false if its cycles are not known yet, since they depend on the moment
+    bool begun = true; ///< false if its cycles are not known yet, because they depend on the time at which it begins
     // The following members are for a watcher.
     Word at = 0;
     HalfCycles spent = 0; ///< the cycles known so far
@@ -71,7 +71,7 @@ struct CoreState {
     Time clocks_since_{};
     std::array<bool, 2> timers_disabled_{};
     Time next_timer_ = Time::max(), slice_ends_{};
-    Operation begun_{};   ///< the instruction of the scheduler at which execute() has left
+    Operation begun_{};   ///< the instruction of the scheduler at which execute() returned
     int slices_seen_ = 0; ///< ends of timeslice periods since the running process got the processor
     int interrupted_slices_ = 0;
 

@@ -12,7 +12,7 @@ namespace placedpar::transputer {
 std::string print_word(Word);
 /// Returns the name of a link's channel, such as "link 2 output" or "event", or the address of another channel.
 std::string print_channel(Word);
-/// Returns the registers and clocks, and those of a floating-point unit.
+/// Returns the registers and clocks, and the registers of a floating-point unit if the core has one.
 std::string print_registers(const Core&);
 /// Returns the queues of ready processes and of timers, the words of links where processes wait, and the process that
 /// is interrupted.

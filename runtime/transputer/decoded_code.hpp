@@ -32,8 +32,8 @@ struct Block {
     std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
     Word start = 0;                          ///< address of its first byte
     Word bytes = 0;                          ///< number of bytes of its instructions
-    std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: the most half cycles up to its end
-    std::uint32_t room = 0;                  ///< instructions for which there are entries and bounds
+    std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: upper bound for the half cycles up to its end
+    std::uint32_t room = 0;                  ///< number of instructions for which entries and bounds are allocated
 };
 
 /// The properties of a node that decoding needs.
@@ -41,12 +41,13 @@ struct CodeTiming {
     Model model;
     Word bytes_on_chip;
     HalfCycles16 fetch;   ///< half cycles of a word of code that is fetched from outside of the chip
-    HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond those on the chip
+    HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond the half cycles of an access
+                          ///< on the chip
 };
 
-/// The code of a node that has run, decoded. Code is decoded when it is first executed, and discarded when the program
-/// writes to it. Decoded code takes at most about as much of the host's memory as the node has; at this limit,
-/// everything is discarded.
+/// The executed code of a node, in decoded form. Code is decoded when it is first executed, and discarded when the
+/// program writes to it. Decoded code takes at most about as many bytes of the host's memory as the node's memory has.
+/// At this limit, all decoded code is discarded.
 class DecodedCode {
 public:
     DecodedCode(NodeMemory&, const CodeTiming&);
@@ -63,19 +64,19 @@ public:
     /// Returns a block with the first instructions of a block: those that certainly end within this number of half
     /// cycles, but at least the first instruction. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
-    /// Discards the blocks that have bytes in an interval. REQUIRES: the memory holds it.
+    /// Discards the blocks that have bytes in an interval. REQUIRES: the memory holds the interval.
     void forget(Word offset, Word bytes) {
         if (is_decoded(offset, bytes)) // often false, because data often share a page with code
             forget_decoded(offset, bytes);
     }
-    /// Returns a block of the one instruction at an address outside of the memory, which wraps; null if it crosses an
-    /// end of the memory. The result is valid until the next call of a function.
+    /// Returns a block with the one instruction at an address outside of the memory, which wraps. Returns null if the
+    /// instruction crosses an end of the memory. The result is valid until the next call of a function.
     Block* at_wrapped(Word address);
-    /// Frees forgotten blocks, or uses them again. Call it when none is being executed.
+    /// Frees forgotten blocks, or uses them again. Call this function when no forgotten block is being executed.
     void sweep();
     bool must_sweep() const { return !forgotten_.empty(); }
-    /// Returns whether a byte belongs to instructions that were decoded, and was not written to since. It may have been
-    /// written to if no other byte of its page belonged to decoded instructions then.
+    /// Returns whether a byte belongs to instructions that were decoded, and has not been written to since. The result
+    /// may also be true if the byte was written to while its page had no decoded block.
     bool was_decoded(Word offset) const {
         const auto& decoded = decoded_[offset / NodeMemory::page_bytes];
         return decoded && (*decoded)[offset % NodeMemory::page_bytes];
@@ -112,7 +113,8 @@ private:
     NodeMemory& memory_;
     CodeTiming timing_;
     std::vector<std::unique_ptr<Page>> pages_;
-    /// The bytes of blocks, and some of blocks that are forgotten; by page, null if it never had a block.
+    /// For each page, the bytes that belong to blocks, and some bytes of forgotten blocks; null if the page never had a
+    /// block.
     std::vector<std::unique_ptr<std::bitset<NodeMemory::page_bytes>>> decoded_;
     std::vector<std::unique_ptr<Block>> forgotten_;
     std::vector<std::unique_ptr<Block>> spare_; ///< forgotten blocks, with their entries and bounds

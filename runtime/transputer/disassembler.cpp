@@ -11,8 +11,8 @@ using Bytes = std::span<const std::uint8_t>;
 
 bool is_text(std::uint8_t byte) { return (byte >= ' ' && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t'; }
 
-/// Returns whether an assembler may have made an instruction: nfix stands before no other prefix, and there are only as
-/// many prefixes as a word needs. Compilers pad with pfix 0.
+/// Returns whether an assembler may have made an instruction: nfix does not precede another prefix, and the instruction
+/// has only as many prefixes as a word needs. Compilers pad with pfix 0.
 bool is_proper(Bytes instruction) {
     while (instruction.size() > 1 && instruction.front() == 0x20)
         instruction = instruction.subspan(1);
@@ -80,7 +80,7 @@ private:
 
     /// Follows straight code, and notes where it branches to.
     void follow_from(Word at, std::vector<Word>& to_follow) {
-        std::array<CodeLine, 2> before{}; // the last first
+        std::array<CodeLine, 2> before{}; // the last line first
         while (at < size() && roles_[at] == Role::unknown) {
             CodeLine line{.at = at, .content = Content::code, .instruction = read(at, gap_end(at, longest_end(at)))};
             if (line.instruction.length == 0 || line.instruction.operation == Operation::unknown)
@@ -168,7 +168,7 @@ private:
         return after - at < 3 ? 0 : after - at;
     }
 
-    /// Treats a few bytes between data as data.
+    /// Treats short runs of possible code between data as data.
     void drop_islands(Word begin, Word end) {
         constexpr Word shortest_code = 6;
         Word since = begin; // the end of the last data

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-// Execution leads from one instruction to the next by the addresses of labels, which GCC and Clang know.
+// Each instruction jumps to the next instruction by the address of a label, which is an extension of GCC and Clang.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
 // GCC would move common parts of instructions before the jumps between them, and would then run out of host registers.
@@ -20,8 +20,8 @@
 
 namespace placedpar::transputer {
 
-// The macros of instructions.inc. `spent` are the half cycles of the blocks before, and those that effects added in
-// this block.
+// The macros of instructions.inc. `spent`: the half cycles of the preceding blocks, plus the half cycles that effects
+// added in this block.
 
 #define OPERAND (entry->operand)
 #define NEXT_ADDRESS (entry->operand)
@@ -146,7 +146,8 @@ namespace placedpar::transputer {
         goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
-// Instructions of the scheduler. `function` performs one if nothing can act on the core before it ends.
+// Instructions of the scheduler. `function` performs the instruction if nothing can act on the core before the
+// instruction ends.
 #define AT_ONCE(function, operation_)                                                                                  \
     {                                                                                                                  \
         Registers r{entry->operand, W, A, B, C, registers_.error};                                                     \
@@ -271,7 +272,7 @@ j_zero:
     if (!breaks_at_j0_)
         BRANCH_OR_GIVE_WAY(OPERAND);
     next = entry->operand;
-    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: it takes as long as `break`
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: this instruction takes as long as `break`
     begun_ = Operation::break_;
     left = Left::scheduling;
     goto leave;
@@ -340,8 +341,8 @@ void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word b
     const Word begin = NodeMemory::offset_of(block.start);
     if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed: it ends after this instruction. The block may be a copy of the beginning
-    // of a discarded block.
+    // The rest of this block may have changed, so the block now ends after this instruction. The block may be a copy of
+    // the beginning of a discarded block.
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};

@@ -92,7 +92,8 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
 
 constexpr Word bytes_of_call = 16;
 
-/// Returns the call of the routine whose return address is in a word above the workspace, if a text says so.
+/// Returns the call of a routine if the text is like "called from {w+12}", which states the word above the workspace
+/// that holds the return address.
 std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, const ErrorNote& error) {
     constexpr std::string_view begin = "called from {w";
     if (!text.starts_with(begin) || !text.ends_with('}'))
@@ -103,7 +104,8 @@ std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, 
     return returns_to ? std::optional<ErrorNote>({static_cast<Word>(*returns_to), at + bytes_of_call}) : std::nullopt;
 }
 
-/// Follows the calls that texts name. A program may write a circle into its memory.
+/// Follows the calls that texts name. The number of calls is limited, because a program may write a circle into its
+/// memory.
 ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines) {
     constexpr int most_calls = 16;
     for (int i = 0; i < most_calls; ++i)
@@ -112,7 +114,7 @@ ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines
     return error;
 }
 
-/// Searches the words above the workspace for the return address of a call for whose errors there is a text.
+/// Searches the words above the workspace for the return address of a call whose errors have a text.
 ErrorNote find_call(const Core& core, const ErrorNote& error, const CodeLines& lines) {
     constexpr Word most_words = 32;
     if (!lines.error(error.after).empty() || !lines.file_place(error.after - 1).empty())

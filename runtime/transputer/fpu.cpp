@@ -11,10 +11,10 @@ namespace placedpar::transputer {
 
 namespace {
 
-/// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not at hand.
-/// The values are those of the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
-/// compared with those of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and infinity -
-/// infinity.
+/// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not available.
+/// The values come from the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
+/// compared with the results of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and
+/// infinity - infinity.
 enum class MadeNan : std::uint32_t {
     zero_by_zero = 0x7FC00000,
     infinity_by_infinity = 0x7FA00000,
@@ -61,8 +61,8 @@ public:
     bool overflow() const { return std::fetestexcept(FE_OVERFLOW) != 0; }
 };
 
-/// Returns an operation's result on the host in a rounding mode; error means overflow. Compilers do not know that the
-/// mode matters: volatile operands and results keep the operation between the two changes of the mode.
+/// Returns an operation's result on the host in a rounding mode; `error` in the result means overflow. Compilers do not
+/// know that the mode matters: volatile operands and results keep the operation between the two changes of the mode.
 template <typename T, typename Operand, typename Operation>
 [[gnu::noinline]] RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
     volatile Operand first = left, second = right;
@@ -198,7 +198,7 @@ RealResult<T> root(RealPattern<T> of, Rounding mode) {
     return rounded<T>(mode, of.value(), of.value(), [](auto each, auto) { return std::sqrt(each); });
 }
 
-/// Returns the remainder of left by right, which is exact.
+/// Returns the exact remainder of left divided by right.
 template <typename T>
 RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     if (left.nan() || right.nan())
@@ -212,8 +212,8 @@ RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     return {exact.zero() ? exact.with_sign(left.negative()) : exact, right.infinite()};
 }
 
-/// Returns the quotient that belongs to a remainder. In double its error is below half of an integer, within the limits
-/// of fpremfirst.
+/// Returns the quotient that belongs to a remainder. It is computed in double, with an error below 0.5 for the
+/// operands that fpremfirst accepts.
 template <typename T>
 RealPattern<T> quotient(RealPattern<T> left, RealPattern<T> right, RealPattern<T> remainder) {
     if (remainder.nan())
@@ -266,13 +266,14 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
 
 using Single = RealPattern<float>;
 
-/// Returns the value of a finite REAL32, whose fraction may be as long as that of a REAL64.
+/// Returns the value of a finite REAL32. After fpunoround, its fraction is as long as the fraction of a REAL64.
 double value_with_whole_fraction(const Real& real) {
     const RealPattern<double> wide = RealPattern<double>::of(Single(real.bits).value());
     return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
 }
 
-/// Returns left op right, rounded once to a REAL32. The last bit of the REAL64 stands for all bits that it lacks.
+/// Returns left op right, rounded once to a REAL32. The last bit of an intermediate REAL64 stands for all the bits that
+/// the REAL64 lacks.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) { return rounded<double>(each, first, second, Arithmetic{operation}); };

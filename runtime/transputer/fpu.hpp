@@ -37,20 +37,20 @@ T computed_on_host(RealOperation operation, T left, T right) {
 /// method for each operation, with the operation's name. A method gives the result and the flag; the caller accounts
 /// for its time and its effect on the integer stack. The unit is a plain value: an interrupt saves it by a copy.
 ///
-/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic is that of IEEE 754):
+/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic follows IEEE 754):
 /// - Each operation rounds in the current mode, to the precision of its result. Afterwards the mode is nearest, except
 ///   after the four operations that set the mode.
 /// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
 ///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
 ///   fpuclearerror clears it.
-/// - If an operand is a NaN, it is the result; of two NaNs, the one with the larger fraction, or FB if
-///   the fractions are equal. The sign follows
-///   the operation: fpsub negates FA's sign, fpmul and fpdiv multiply the signs.
+/// - If one operand is a NaN, this NaN is the result. If both are NaNs, the NaN with the larger fraction is the result,
+///   or FB if the fractions are equal. The sign follows the operation: fpsub negates FA's sign, fpmul and fpdiv
+///   multiply the signs.
 /// - An invalid operation gives a NaN that identifies the operation: see `MadeNan` in the source.
 /// - A pop leaves FC unchanged.
 ///
 /// REQUIRES: the operands of an operation have equal lengths, as on the machine. Otherwise FB is read in FA's length.
-/// REQUIRES: the calling thread rounds to nearest (std::fegetround); the methods leave it so.
+/// REQUIRES: the calling thread rounds to nearest (std::fegetround); the methods keep this mode.
 class Fpu {
 public:
     const Real& fa() const { return a_; }
@@ -65,14 +65,14 @@ public:
     void fpldzerosn() { push({0, Length::real32}); }
     void fpldzerodb() { push({0, Length::real64}); }
 
-    /// These compute with memory, without a push.
+    /// These combine FA with an operand from memory, without a push.
     void fpldnladdsn(std::uint32_t bits) { combine(RealOperation::add, a_, {bits, Length::real32}); }
     void fpldnladddb(std::uint64_t bits) { combine(RealOperation::add, a_, {bits, Length::real64}); }
     void fpldnlmulsn(std::uint32_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real32}); }
     void fpldnlmuldb(std::uint64_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real64}); }
 
     /// These return the bits to store. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
-    /// infinity: programs take the halves of a long integer that way.
+    /// infinity. Programs use it to get the two halves of a long integer.
     std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
     std::uint64_t fpstnldb() { return pop().bits; }
     std::uint32_t fpstnli32();
@@ -88,13 +88,13 @@ public:
 
     /// FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The remainder is exact. The quotient is
     /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's quotient is undefined,
-    /// and here it is the rounded quotient. The first step computes the whole remainder. Both return TRUE, to be
-    /// pushed into register A: the remainder is complete. INMOS's occam compiler and mathematical library emit
-    /// `fpremfirst; eqc 0; cj done; more: fpremstep; cj more; done:`, so the emitted code executes no further step.
+    /// and here it is the rounded quotient. The first step computes the whole remainder. Both functions return TRUE for
+    /// register A, because the remainder is complete. INMOS's occam compiler and mathematical library emit `fpremfirst;
+    /// eqc 0; cj done; more: fpremstep; cj more; done:`, so the emitted code executes no further step.
     bool fpremfirst();
     bool fpremstep() { return finished(true); }
 
-    /// These are comparisons: FB > FA, FB = FA. They pop both. FALSE if either is a NaN.
+    /// These are comparisons: FB > FA, FB = FA. They pop both operands, and return FALSE if either is a NaN.
     bool fpgt();
     bool fpeq();
     /// These are tests of FA, and of FA and FB for fpordered. They pop nothing.
@@ -102,9 +102,9 @@ public:
     bool fpnan();
     bool fpnotfinite();
 
-    /// The integer unit ORs this into Error.
+    /// Returns FPError, which the integer unit ORs into Error.
     bool fpchkerror() { return finished(error_); }
-    /// Returns TRUE if FPError is not set, and clears it.
+    /// Returns TRUE if FPError is not set. Clears FPError.
     bool fptesterror();
     void fpuseterror() { set_error(true); }
     void fpuclearerror() { set_error(false); }
@@ -131,8 +131,8 @@ public:
     void fpur64tor32();
     /// Makes FA a REAL32 that keeps the whole fraction of a REAL64, but only the lower bits of the exponent. Sets no
     /// flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an INT64 that way,
-    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, which differ
-    /// from those on a T414.)
+    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, but right
+    /// results on a T414.)
     void fpunoround();
 
     void fpuabs();
@@ -140,7 +140,7 @@ public:
     void fpuexpdec32() { scale(0x1p-32F); }
     void fpumulby2() { scale(2); }
     void fpudivby2() { scale(0.5F); }
-    /// FA := the square root of FA at the first step; the others do nothing.
+    /// The first step sets FA to its square root. The other steps only set the mode to nearest.
     void fpusqrtfirst();
     void fpusqrtstep() { rounding_ = Rounding::nearest; }
     void fpusqrtlast() { rounding_ = Rounding::nearest; }

@@ -128,7 +128,7 @@ CodedInstruction read_instruction(std::span<const std::uint8_t> bytes, Model mod
             result.operand = ~result.operand << 4;
         } else {
             result.length = at + 1;
-            // Bits above the tenth of the code of an operation are ignored: compilers pad with prefixes.
+            // Only the lowest ten bits of an operation's code count, because compilers pad with prefixes.
             result.operation = function == 15 ? operation_of(result.operand & 0x3ff, model) : function_of(function);
             return result;
         }

@@ -23,8 +23,8 @@ enum class Operation : std::uint8_t {
     go_on,   ///< not an instruction: the block ends here, and execution continues at the operand
     j_zero,  ///< `j 0` of a model that can make it a breakpoint, in decoded code only
     unknown, ///< not an instruction of the model
-// In decoded code, a direct function joined with a frequent function that follows it, so that the engine need not look
-// up the second.
+// These are pairs in decoded code: a direct function joined with a frequent function that follows it. The engine then
+// need not look up the second function.
 #define FUNCTION(code, name, ...) name##_ldl, name##_ldc, name##_ldlp, name##_stl, name##_adc,
 #include "runtime/transputer/instructions.inc"
 };
@@ -33,8 +33,9 @@ enum class Operation : std::uint8_t {
 inline constexpr Operation seconds_of_pairs[] = {Operation::ldl, Operation::ldc, Operation::ldlp, Operation::stl,
                                                  Operation::adc};
 
-/// Returns the pair of two direct functions that follow each other, or `first` if they are not joined. Only functions
-/// that neither branch nor write to the memory are first: code that was overwritten must not be executed.
+/// Returns the pair of two direct functions that follow each other, or `first` if they are not joined. The first
+/// function of a pair neither branches nor writes to the memory. Otherwise the engine could execute a second function
+/// that the first has overwritten.
 constexpr Operation pair_of(Operation first, Operation second) {
     if (first != Operation::ldlp && first != Operation::ldl && first != Operation::ldc && first != Operation::ldnl &&
         first != Operation::ldnlp && first != Operation::adc && first != Operation::eqc)
@@ -63,14 +64,14 @@ struct Instruction {
     std::uint16_t extra_cycles; ///< upper bound for additional cycles (of later waits, for an operation on reals)
     std::uint8_t accesses;      ///< upper bound for the words of data
     Models models;
-    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit; if they vary, those for single length
+    std::uint16_t real_cycles = 0; ///< cycles of the floating-point unit; if they vary, the cycles for single length
 };
 
 /// Returns the description of an instruction; for `go_on`, `j_zero` and `unknown`, a description without cycles.
 const Instruction& description_of(Operation);
 /// Returns the direct function of a code from 0 to 15; `unknown` for pfix, nfix and opr.
 Operation function_of(Word code);
-/// Returns the operation of a model; `unknown` if it has none of this code.
+/// Returns the operation that has this code in a model; `unknown` if there is none.
 Operation operation_of(Word code, Model);
 /// Returns the operation that fpentry selects.
 Operation selected_by(Word code);
@@ -91,8 +92,8 @@ inline constexpr Word most_prefixes = 200;
 /// An instruction in memory.
 struct CodedInstruction {
     Operation operation = Operation::unknown;
-    Word operand = 0; ///< with all prefixes; for an operation its code
-    Word length = 0;  ///< bytes with prefixes; 0: it does not end within the bytes
+    Word operand = 0; ///< operand with all prefixes; for an operation, its code
+    Word length = 0;  ///< bytes with prefixes; 0: the instruction does not end within the bytes
 };
 
 /// Returns the instruction that begins with the first of these bytes.

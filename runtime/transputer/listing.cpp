@@ -30,7 +30,7 @@ struct ListedBlock {
 /// Returns the addresses that instructions lead or refer to.
 std::vector<std::optional<Word>> targets_of(std::span<const Listing::Line> lines) {
     std::vector<std::optional<Word>> result;
-    std::array<CodeLine, 2> before{}; // the last first
+    std::array<CodeLine, 2> before{}; // the last line first
     for (const auto& line : lines) {
         if (before[0].at + before[0].instruction.length != line.address)
             before = {};
@@ -162,7 +162,7 @@ void Listing::code_has_changed(Place& here, Word offset) {
     if (known != here.before.end()) {
         here.now = std::move(*known);
         here.before.erase(known);
-    } else if (here.before.size() == most_versions) { // the last one also counts for those that follow
+    } else if (here.before.size() == most_versions) { // the last version also counts all later versions
         here.now = std::move(here.before.back());
         here.before.pop_back();
     }
@@ -172,7 +172,7 @@ void Listing::code_has_changed(Place& here, Word offset) {
 void Listing::executed(Word at, HalfCycles spent) {
     const Word offset = NodeMemory::offset_of(at);
     if (offset >= core_.memory().size())
-        return; // it began before the listing
+        return; // the instruction began before the listing
     Count& count = place(offset).now;
     ++count.times;
     count.spent += spent;

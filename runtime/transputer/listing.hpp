@@ -30,7 +30,8 @@ public:
     Listing(const Listing&) = delete;
     Listing& operator=(const Listing&) = delete;
 
-    /// Returns the instructions that were executed, by address; those that were replaced follow.
+    /// Returns the instructions that were executed, by address. Instructions that were replaced by other code come
+    /// last.
     std::vector<Line> lines() const;
     Model model() const { return core_.model(); }
 
@@ -57,9 +58,10 @@ private:
     std::vector<std::unique_ptr<Page>> pages_;
 };
 
-/// Prints the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with sums for each
-/// block of instructions that were executed one after the other. The blocks with most cycles come first, in a table.
-/// Names of procedures, and places in files when they change, are added if `lines` has them.
+/// Returns a table of the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with
+/// sums for each block of instructions that were executed one after the other. Before it, a shorter table shows the
+/// blocks with the most cycles. Names of procedures, and places in files when they change, are added if `lines` has
+/// them.
 std::string print_listing(const Listing&, const CodeLines& lines);
 
 } // namespace placedpar::transputer

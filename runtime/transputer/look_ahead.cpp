@@ -51,7 +51,7 @@ private:
         return result;
     }
 
-    /// Performs the effect of a scheduler instruction on its own process, without a wait.
+    /// Performs the effect of a scheduler instruction on the process that executes it, without a wait.
     bool pass(Operation operation, Registers& r) {
         switch (operation) {
         case Operation::in: return note(r.b, false);
@@ -78,7 +78,7 @@ private:
         case Operation::move2dall:
         case Operation::move2dnonzero:
         case Operation::move2dzero: return true;
-        default: return false; // its end, or the work of an operating system
+        default: return false; // the process ends, or the instruction is for operating systems
         }
     }
 
@@ -97,7 +97,7 @@ private:
         return true;
     }
 
-    /// Selects the guard of a `disc` if it is the first with a true condition.
+    /// Selects the guard of a `disc` if it is the first guard with a true condition.
     bool select_guard(Registers& r) {
         const Word offset = NodeMemory::offset_of(r.workspace) & ~Word{3};
         if (!core_.memory().holds(offset, 4))

@@ -19,20 +19,21 @@ namespace placedpar::transputer {
 
 static_assert(std::endian::native == std::endian::little, "words of a transputer are stored as the host stores them");
 
-/// The memory of an emulated transputer: bytes from MostNeg on, 0 before the boot. The host gives a page when it is
-/// first used. Addresses below are offsets from MostNeg, unless stated otherwise.
+/// The memory of an emulated transputer: bytes from MostNeg on, 0 before the boot. The host provides a page of memory
+/// when the page is first used. Addresses below are offsets from MostNeg, unless stated otherwise.
 class NodeMemory {
 public:
     /// When the program writes to a page of this size, decoded code of the page is discarded, and the page is saved.
     static constexpr Word page_bytes = 256;
 
-    /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256; std::bad_alloc.
-    /// `bytes_on_chip`: they hide the same number of bytes at the beginning of the external memory, which programs can
-    /// reach at wrapped addresses.
+    /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256. Throws std::bad_alloc
+    /// if the host has too little memory. `bytes_on_chip`: size of the memory on the chip. It hides the same number of
+    /// bytes at the beginning of the external memory. Programs can reach the hidden bytes at wrapped addresses.
     NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
-        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(pages() * page_bytes, 1))); // reals are read as a whole
+        // There is an additional page, because a real at the end of the memory is read as a whole.
+        bytes_.reset(static_cast<std::uint8_t*>(std::calloc(pages() * page_bytes, 1)));
         pages_.reset(static_cast<std::uint8_t*>(std::calloc(pages(), 1)));
         if (!bytes_ || !pages_)
             throw std::bad_alloc();
@@ -40,13 +41,13 @@ public:
 
     static constexpr Word offset_of(Word address) { return address - most_negative; }
     Word size() const { return size_; }
-    /// Returns the place of an offset outside of the memory when addresses wrap: in the memory, or after its end, where
-    /// the bytes are stored that the memory on the chip hides.
+    /// Returns the offset to which an offset outside of the memory wraps. It is in the memory, or after its end, where
+    /// the hidden bytes are stored.
     Word wrapped(Word offset) const {
         offset %= size_;
         return offset < hidden_ ? size_ + offset : offset;
     }
-    /// Returns the place of an offset as wrapped() does; an offset in the memory stays unchanged.
+    /// Does the same as wrapped(), but leaves an offset in the memory unchanged.
     Word wrapped_or_not(Word offset) const { return offset < size_ ? offset : wrapped(offset); }
     /// Returns the end of the area that contains a place from wrapped(): the memory, or the hidden bytes after it.
     Word end_around(Word place) const { return place < size_ ? size_ : size_ + hidden_; }
@@ -77,8 +78,8 @@ public:
         pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
     }
 
-    /// Saves the contents, until keep() or let_go() is called, so that go_back() can restore them. Only pages that are
-    /// written are copied.
+    /// Saves the contents, so that go_back() can restore them. The contents stay saved until the next call of keep() or
+    /// let_go(). Only pages that are written are copied.
     void keep() {
         if (std::exchange(has_kept_, true))
             mark_written();
@@ -95,7 +96,7 @@ public:
                 save_page(page);
     }
     /// Restores the saved contents. Calls `changes(offset, bytes)` for each word whose contents change. REQUIRES:
-    /// keep() was called, and since then neither let_go() nor go_back().
+    /// keep() was called, and neither let_go() nor go_back() was called after it.
     template <class F>
     void go_back(F changes) {
         for (std::size_t i = 0; i < copies_.size(); ++i)

@@ -59,11 +59,11 @@ void MessageEnd::Transfer::give_up(std::uint64_t of_part) {
     wake();
 }
 
-/// Lets the running process move a part of a message, and waits for the end.
+/// Lets the running process move a part of a message, and waits until the part has been moved.
 void MessageEnd::Transfer::move(AnyChannel& on, std::uint32_t bytes, const SourceLocation& place) {
     if (channel != &on)
-        throw std::logic_error(
-            fmt::format("another channel uses the direction of channel {} of the link to {}", on.name(), end.partner_));
+        throw std::logic_error(fmt::format("channel {} cannot use the link to {}: another channel uses this direction",
+                                           on.name(), end.partner_));
     part = bytes;
     where = place;
     charge_and_communicate(Kernel::here().running(), &OperationCosts::hard_communication, *this);
@@ -107,7 +107,7 @@ bool MessageEnd::give_up_output(AnyChannel& channel) {
     return true;
 }
 
-/// Returns whether all bytes have arrived, although the process has not continued yet.
+/// Returns whether all bytes have arrived. The process need not have continued yet.
 bool MessageEnd::has_whole_message(const AnyChannel& channel) {
     try {
         return (inputs_.ended || in->store_early()) && channel.byte_form()->next_part(inputs_.message) == 0;

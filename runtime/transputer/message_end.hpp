@@ -32,9 +32,9 @@ public:
     MessageEnd(const MessageEnd&) = delete;
     MessageEnd& operator=(const MessageEnd&) = delete;
 
-    /// Put a channel on the direction from this end, or to it. Throw std::logic_error if the direction has a channel
+    /// Put a channel on the direction from (to) this end. Throw std::logic_error if the direction has a channel
     /// already, and if messages of the channel have no byte form. REQUIRES: the lanes of this end are set; the run has
-    /// not begun; the channel and this end outlive it.
+    /// not begun; the channel and this end outlive the run.
     void carry_outputs(AnyChannel&);
     void carry_inputs(AnyChannel&);
 
@@ -47,7 +47,7 @@ public:
     bool input_must_be_reset(const AnyChannel& c) const override { return in->wire().input_must_be_reset(c); }
     std::string why_not_given_up() const override { return ""; }
     /// Have the effect of `resetch` on this end, which forgets the rest of the message. If the other end has begun to
-    /// move it, too, the program must reset its channel before it moves further bytes.
+    /// move the message, too, the program at the other end must reset its channel before it moves further bytes.
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
     std::uint64_t reset_output(AnyChannel&) override { return std::exchange(outputs_.moved_when_given_up, 0); }
@@ -76,7 +76,7 @@ private:
         Process* process = nullptr; ///< waits for the end of the part
         bool ended = false;
         bool given_up = false;   ///< the current message was abandoned
-        std::uint64_t moved = 0; ///< number of bytes of its completed parts
+        std::uint64_t moved = 0; ///< bytes of the message's completed parts
         std::uint64_t moved_when_given_up = 0;
     };
 

@@ -14,7 +14,7 @@ using Word = std::uint32_t;
 inline constexpr Word most_negative = 0x8000'0000;
 inline constexpr Word not_a_process = most_negative;
 
-/// The types whose code can be executed.
+/// The models of transputer whose code can be executed.
 enum class Model : std::uint8_t { t414, t425, t400, t800, t805 };
 
 /// A set of models.
@@ -30,12 +30,12 @@ inline constexpr Models second_generation = all_models & ~only(Model::t414);
 /// Models with instructions for debuggers.
 inline constexpr Models with_breakpoints = second_generation & ~only(Model::t800);
 
-/// What distinguishes a model, apart from its instructions. Source: IMS T414, T425, T400, T800, T805 data sheets.
+/// The properties of a model, apart from its instructions. Source: IMS T414, T425, T400, T800, T805 data sheets.
 struct Traits {
     std::string_view name;
     Word memory_start;     ///< MemStart as an offset from MostNeg: first byte that programs may use
     Word bytes_on_chip;    ///< memory on the chip
-    std::int64_t identity; ///< what lddevid pushes
+    std::int64_t identity; ///< number that lddevid pushes
 };
 
 inline constexpr Traits all_traits[] = {{"T414", 0x48, 2048, 0},

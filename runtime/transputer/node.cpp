@@ -23,8 +23,8 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
 /// direction and the acknowledges of the other one.
 Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.acknowledge()); }
 
-/// Returns a time that no instruction exceeds, with a wait for the floating-point unit, and accesses to the memory. The
-/// instructions of the scheduler can take longer, but the core passes their cycles without their effect.
+/// Returns a time that no instruction exceeds, including a wait for the floating-point unit and accesses to the memory.
+/// The instructions of the scheduler can take longer, but the core lets their cycles pass before their effect.
 Time longest_instruction(const CoreTiming& timing) {
     return duration_of(128 + 8 * std::int64_t{timing.memory_cycles}, timing.clock_hz);
 }
@@ -94,15 +94,16 @@ Core::Pause Node::run_to_limit() {
                                                         : Core::Links::take_accesses);
 }
 
-/// The core does not do several instructions at once if the last of them may go on at the end of the run, or when the
-/// node halts: what links do before it begins must be told to the core before that time.
+/// The result leaves room for one instruction before the end of the run, a halt or an analysis. Otherwise the core
+/// could begin an instruction that ends after the run, the halt or the analysis, before it knows what links did
+/// earlier.
 Time Node::horizon(Time most_ahead) const {
     return std::min(later(kernel_.now(), most_ahead),
                     std::min({halts_at_, analysed_at_, kernel_.limit()}) - longest_instruction_);
 }
 
-/// Returns whether the core can run ahead although a link may act on it meanwhile. It then comes back. While a link
-/// takes accesses to the memory, local time is not known in advance.
+/// Returns whether the core can run ahead although a link may act on it meanwhile. If a link acts, the core comes back.
+/// While a link takes accesses to the memory, local time is not known in advance.
 bool Node::may_run_ahead() const {
     return most_ahead_ > Time{0} && !core_.is_watched() && !wires_.empty() &&
            std::ranges::all_of(wires_, &hardware::Link::is_still);
@@ -133,9 +134,9 @@ void Node::come_back() {
 
 /// Returns the local time up to which nothing else can act on the core.
 ///
-/// While link engines take accesses, local time passes faster than instructions do, so only a part of the way is gone
-/// at once: exact while the engines leave a quarter of the time. If the memory is too slow for that, it is an
-/// instruction.
+/// While link engines take accesses to the memory, the local time advances by these accesses, too. So the core executes
+/// only about a quarter of the way at once. It then stays within the limit as long as the engines leave it a quarter of
+/// the time. If the memory is too slow for this, the core executes a single instruction.
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
@@ -196,7 +197,7 @@ void Node::tell_core() {
 }
 
 void Node::be_idle() {
-    if (core_.local_time() > kernel_.now()) { // another process may become ready until then
+    if (core_.local_time() > kernel_.now()) { // another process may become ready before this time
         kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
         return;
     }
@@ -306,7 +307,7 @@ void Node::listen() {
         }
 }
 
-/// A command has been obeyed: listens again, after all that happens at this time.
+/// Ends a command. The node listens again after all other events of this time.
 void Node::obey_next() {
     heard_link_.reset();
     kernel_.future().reschedule(*this, kernel_.now(), EventQueue::turn);
@@ -314,7 +315,7 @@ void Node::obey_next() {
 
 void Node::hear(std::span<const std::uint8_t> bytes) { heard_.insert(heard_.end(), bytes.begin(), bytes.end()); }
 
-/// Returns the offset of a word. Addresses outside of the memory reach it again, as on most boards.
+/// Returns the offset of a word. Addresses outside of the memory wrap, as on most boards.
 Word Node::wrapped(Word address) const { return NodeMemory::offset_of(address) % core_.memory().size() & ~Word{3}; }
 
 /// Acts on a command, or on the bytes that belong to it.

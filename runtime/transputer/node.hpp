@@ -24,16 +24,18 @@ namespace placedpar::transputer {
 class CodeLines;    // runtime/transputer/code_lines.hpp
 class ProcessTrace; // runtime/transputer/process_trace.hpp
 
-/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first link that brings
-/// a byte boots it, reads its memory (peek) or writes it (poke), as the first byte says. Then the core executes.
+/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first byte that comes
+/// over a link selects what this link does: it boots the transputer, reads its memory (peek) or writes its memory
+/// (poke). After a boot, the core executes.
 ///
-/// The core runs ahead of virtual time, in one of two ways. While all links rest, it keeps its state, and executes up
-/// to a link instruction, as if no link acted on it. Before an end of one of its links does so, the core returns to
-/// what it kept, and executes again up to the present. While a link is under way, it executes as far as nothing can act
-/// on it: up to a change of its queues while a link may wake a process; up to the next event of any other device while
-/// a process of high priority waits for a link; up to the time at which a timer or a timeslice ends, or a clock is
-/// read. So the results do not depend on how far it runs ahead, nor on the order of devices. They would if a program
-/// read bytes that a link is about to store, or changed bytes, or a channel word, that a link is about to read.
+/// The core runs ahead of virtual time, in one of two ways. While all links rest, the core saves its state, and
+/// executes up to its next link instruction as if no link acted on it. If one of its links is about to act on it, the
+/// core first returns to the saved state, and executes again up to the present. While a link is under way, the core
+/// executes only as far as nothing can act on it. It stops before a change of its queues if a link may wake a process.
+/// It stops at the next event of any other device if a high-priority process waits for a link. It always stops when a
+/// timer or a timeslice ends, or a clock is read. So the results depend neither on how far the core runs ahead, nor on
+/// the order of devices. The only exceptions are programs that read bytes that a link is about to store, or that change
+/// bytes or a channel word that a link is about to read.
 ///
 /// Processes that links wake at the same time become ready in the order of their channels.
 ///
@@ -45,22 +47,23 @@ public:
     /// The activity of a node. A node that was never booted is `listening` at the end of the run.
     enum class Activity : std::uint8_t { listening, booted, stopped, halted };
 
-    /// Throws as the constructor of NodeMemory.
+    /// Throws the exceptions of NodeMemory's constructor.
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
     ~Node();
 
-    /// Returns the end of a link for ByteLink. `number`: 0 to 3.
+    /// Returns the node's end of a link, for ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
-    /// States that this link ends here, so that its engines use the memory of the node. REQUIRES: it outlives the run.
+    /// States that this link ends here, so that its engines use the memory of the node. REQUIRES: the link outlives the
+    /// run.
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
-    /// Names processes by a table. REQUIRES: it outlives the node; the run has not begun.
+    /// Names processes by a table. REQUIRES: the table outlives the node; the run has not begun.
     void name_by(const CodeLines& lines) {
         lines_ = &lines;
         core_.know_errors(lines);
     }
-    /// Executes one instruction at an event. Tests compare such a run with a usual one. REQUIRES: the run has not
+    /// Makes each instruction an event of its own. Tests compare such a run with a usual run. REQUIRES: the run has not
     /// begun.
     void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
     /// Runs ahead by this time while the links rest. REQUIRES: the run has not begun.
@@ -69,8 +72,8 @@ public:
         ahead_by_ = least_ahead_ = longest_ahead_ = time;
     }
 
-    /// Puts a program into the memory, and begins it at the present time. REQUIRES: it fits into the memory; the node
-    /// listens, and the run has not begun.
+    /// Puts a program into the memory, and begins it at the present time. REQUIRES: the program fits into the memory;
+    /// the node listens, and the run has not begun.
     void start(const Image&);
 
     /// Returns whether the first process of the program that start() began has ended.
@@ -78,21 +81,21 @@ public:
     /// Sets a function to call when only a link could wake the node.
     void when_idle(std::function<void()> f) { when_idle_ = std::move(f); }
 
-    /// Stops the node at a time. It executes nothing more, and takes no commands of a boot. Its link engines finish the
-    /// transfers that are under way. REQUIRES: the run has not begun.
+    /// Stops the node at a time. From then on, the node executes nothing, and obeys no boot commands. Its link engines
+    /// finish the transfers that are under way. REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the
-    /// links are reset, and the node listens to them as after reset. The memory stays as it is, except for the
-    /// registers of the process, which are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data
+    /// links are reset, and the node listens to them as after reset. The memory stays as it is, except that the
+    /// registers of the running process are saved below MemStart (Core::reset_after_analyse). Source: IMS T800 data
     /// sheet, "analyse". REQUIRES: the run has not begun.
     void analyse_at(Time);
 
     const std::string& name() const { return name_; }
-    /// Returns the node's name with that of a process, or with the address of its workspace: "root.phil[2]",
-    /// "root.#80000144".
+    /// Returns the node's name followed by the name of a process, such as "root.phil[2]". If the process has no name,
+    /// the address of its workspace takes the place of the name, as in "root.#80000144".
     std::string name_of_process(Word workspace) const;
-    /// Returns the name that the table has; otherwise that of a direction of a link, or of the C++ processes' channel
-    /// on it, or "root.event", or "root.#80000100".
+    /// Returns the name of a channel in the table. If the table has none, returns the name of a direction of a link or
+    /// of the channel that C++ processes use there, or "root.event", or a name such as "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
     /// Returns the core, in its state at the present time.
@@ -104,7 +107,8 @@ public:
     Time time_busy() const;
     /// Returns how long the memory has served link engines so far.
     Time memory_taken_by_links();
-    /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake it.
+    /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake the
+    /// node.
     bool is_idle() const { return is_idle_; }
 
 private:
@@ -126,14 +130,14 @@ private:
         Node* node_ = nullptr;
         int number_ = 0;
     };
-    /// What a node that listens does with the bytes of a link.
+    /// What a listening node does with the bytes that come over a link.
     enum class Listening : std::uint8_t { for_command, for_poke, for_peek, for_code, answering };
 
     /// What a link has done to a channel.
     struct Wake {
         Time at;
         int channel;
-        bool transfer_ended; ///< otherwise a byte has come
+        bool transfer_ended; ///< false: a byte has come
         bool operator<(const Wake& other) const { return at != other.at ? at < other.at : channel < other.channel; }
     };
 
@@ -155,7 +159,7 @@ private:
     Core::Pause run_ahead();
     void come_back();
     void link_will_change() override { come_back(); }
-    /// Returns the time at which something is done to the node that no link does.
+    /// Returns the time up to which the core may execute if no link acts on it.
     Time horizon(Time most_ahead) const;
     bool settle();
     std::uint64_t words_moved();
@@ -188,27 +192,28 @@ private:
     Time longest_instruction_;
     std::array<Port, links> ports_;
     std::vector<hardware::Link*> wires_;
-    Time least_word_time_ = Time::max(); ///< in which both directions of the fastest link move a word
+    Time least_word_time_ = Time::max(); ///< least time in which both directions of the fastest link move a word
     hardware::LinkEngineMemory engines_;
     std::uint64_t words_settled_ = 0;
     Time busy_{};
-    Time most_ahead_ = std::chrono::microseconds{100}; ///< while links may act on the core
-    Time ahead_by_ = most_ahead_;                      ///< while they rest: the time of the next run
+    Time most_ahead_ = std::chrono::microseconds{100}; ///< how far the core may run ahead while links may act on it
+    Time ahead_by_ = most_ahead_;                      ///< how far the core runs ahead the next time if all links rest
     Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
-    bool is_ahead_ = false; ///< the core has kept a state, and then run to `ahead_to_`
+    bool is_ahead_ = false; ///< the core has saved a state, and has then run to `ahead_to_`
     HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();
     Analysis analysis_{*this};
-    std::vector<Wake> wakes_; ///< since the last turn of the core
+    std::vector<Wake> wakes_; ///< actions of links since the last turn of the core
     bool is_idle_ = true;
     Activity activity_ = Activity::listening;
     std::optional<int> heard_link_; ///< the link whose command is being obeyed
     Listening listening_ = Listening::for_command;
     std::vector<std::uint8_t> heard_;
-    std::vector<std::uint8_t> start_; ///< what an image begins with, until the run begins
+    std::vector<std::uint8_t> start_; ///< the starting instructions of an image, until the run begins
     std::function<void()> when_stopped_ = [] {}, when_idle_ = [] {};
     const CodeLines* lines_ = nullptr;
-    bool has_image_ = false;                      ///< whose table has whole names of processes
+    bool has_image_ = false;                      ///< start() was called; the image's table has whole names of
+                                                  ///< processes
     std::unique_ptr<ProcessTrace> process_trace_; ///< null until a boot, and if the run is not traced
 };
 

@@ -20,7 +20,7 @@ void ProcessTrace::changes(Word workspace, Core::ProcessChange change, Word chan
     case ProcessChange::gets_processor: running_ = process; return add({now, process, Activity::computing});
     case ProcessChange::becomes_ready:
         if (core_.is_running() && workspace == core_.registers().workspace)
-            leave(process); // it is interrupted
+            leave(process); // the process is interrupted
         return add({now, process, Activity::ready});
     case ProcessChange::communicated:
         return add({.at = now, .process = process, .activity = Activity::ready, .partner = running_});
@@ -50,7 +50,8 @@ void ProcessTrace::wait(Word workspace, Activity activity, const std::vector<Wor
     add(std::move(notice));
 }
 
-/// The running process leaves the processor. If it has come to another workspace, the former one is not used now.
+/// Records that the running process leaves the processor. If it has moved to another workspace, its former workspace is
+/// not in use any more.
 void ProcessTrace::leave(const std::string& process) {
     if (running_ != process && !running_.empty())
         add({core_.local_time(), running_, Activity::ended});
@@ -66,7 +67,8 @@ std::vector<Word> ProcessTrace::enabled_by(Word workspace) {
     return result;
 }
 
-/// Returns a channel with the process that used its other end last. A link is its own partner.
+/// Returns a channel with the process that used its other end last. For a link, the name of the link takes the place of
+/// the partner's name.
 AwaitedByProgram ProcessTrace::awaited(Word channel, bool outputs) {
     const std::string name = name_of_channel_(channel);
     return {name, hard_channel(channel) >= 0 ? name : users_[channel][!outputs]};

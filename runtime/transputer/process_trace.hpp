@@ -20,13 +20,13 @@ class Kernel;
 
 namespace placedpar::transputer {
 
-/// Tells the trace of a run what the processes of a node do. A node runs ahead of virtual time, so that each notice is
-/// kept until its moment has come. A workspace is a process; workspaces of the same name are one.
+/// Tells the trace of a run what the processes of a node do. A node runs ahead of virtual time, so each notice is kept
+/// until its time has come. Each workspace counts as a process; workspaces with the same name count as one process.
 class ProcessTrace final : public Core::ProcessWatcher, private Event {
 public:
     using Naming = std::function<std::string(Word)>;
-    /// `place`: the name of the node; `process` and `channel` name a workspace and a channel. REQUIRES: the run is
-    /// traced; kernel, core and place outlive this object.
+    /// `place`: the name of the node; `process` and `channel`: functions that return the name of a workspace and of a
+    /// channel. REQUIRES: the run is traced; kernel, core and place outlive this object.
     ProcessTrace(Kernel&, const Core&, const std::string& place, Naming process, Naming channel);
 
 private:

@@ -77,7 +77,7 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
             if (links != Links::rest && local_ != on_time_at_)
                 return Pause::limit;
             attend();
-            continue; // it may have stopped
+            continue; // the core may have stopped
         }
         if (is_analysed_ && !running_) {
             fault(Stopped::by_analyse, 0);
@@ -102,8 +102,8 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
     }
 }
 
-/// Executes up to a local time, or one instruction if they are watched. `at_once`: what the scheduler does on this
-/// processor may happen before its own moment.
+/// Executes up to a local time, or one instruction if instructions are watched. `at_once`: effects of the scheduler on
+/// this processor may happen before their own times.
 void Core::execute_until(HalfCycles until, bool at_once) {
     if (!watcher_)
         return act_on(execute(until, at_once));
@@ -152,7 +152,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
             return true;
     }
     const HalfCycles room = std::min(limit, due_) - local_;
-    if (pending_->left >= room) { // timers come first, and what must happen at the limit later
+    if (pending_->left >= room) { // timers or the limit come before the effect of the instruction
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
@@ -170,7 +170,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
-    pause = Pause::on_time; // if the caller's limit may be too late now
+    pause = Pause::on_time; // returned if the caller's limit may be too late now
     return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
@@ -299,13 +299,13 @@ bool Core::may_be_interrupted() const {
 
 // Processes
 
-/// Takes the next process: of high priority, the interrupted one, or of low priority.
+/// Runs the next process: a high-priority process, else the interrupted process, else a low-priority process.
 bool Core::dispatch() {
     if (front_[0] != not_a_process) {
         run_front(0);
         return true;
     }
-    if (priority_ == 0 && load(reserved::saved) != not_a_process) { // after analyse the word may be an old one
+    if (priority_ == 0 && load(reserved::saved) != not_a_process) { // after analyse the word may be left over
         resume_interrupted();
         return true;
     }
@@ -332,7 +332,7 @@ void Core::run_front(int priority) {
     tell(registers_.workspace, ProcessChange::gets_processor);
 }
 
-/// Each priority has its own Error flag.
+/// Sets the priority, and exchanges the Error flags, because each priority has its own flag.
 void Core::set_priority(int priority) {
     if (priority != priority_)
         std::swap(registers_.error, other_error_);

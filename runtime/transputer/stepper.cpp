@@ -23,12 +23,12 @@ constexpr std::uint64_t most_shown = 1024; // lines; a program may write a circl
 constexpr std::string_view commands_of_stepper =
     "s [N]          execute N instructions; without N: one\n"
     "c              continue to a breakpoint\n"
-    "b [ADDRESS]    set a breakpoint before an instruction, or delete it; alone: list the breakpoints\n"
+    "b [ADDRESS]    set a breakpoint before an instruction, or delete it; without ADDRESS: list all\n"
     "r              registers\n"
     "w [N]          words of the workspace, up to W+N\n"
     "q              queues of processes and timers, and the words of links where processes wait\n"
     "m ADDRESS [N]  words of memory\n"
-    "l [N]          code from here on\n"
+    "l [N]          the next N lines of code; without N: 10\n"
     "quit           end the run\n";
 
 std::optional<std::uint64_t> number_in(std::string_view text, int base) {
@@ -112,7 +112,7 @@ void Stepper::break_at(const std::string& address) {
     print_(fmt::format("breakpoints:{}\n", list.empty() ? " none" : list));
 }
 
-/// Returns the instruction that is next.
+/// Returns the next instruction.
 std::string Stepper::here() const {
     const Word at = core_.registers().instruction, offset = NodeMemory::offset_of(at), size = core_.memory().size();
     if (offset >= size)

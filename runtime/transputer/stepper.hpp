@@ -12,13 +12,13 @@
 
 namespace placedpar::transputer {
 
-/// Executes a core's instructions step by step, as lines of a stream command, and shows the state between them. It
-/// stops before the first instruction. Addresses are hexadecimal, such as #80000070.
+/// Executes a core's instructions step by step, and shows the state between them. Its commands are the lines of a
+/// stream. It stops before the first instruction. Addresses are hexadecimal, such as #80000070.
 class Stepper final : public Core::Watcher {
 public:
     /// Watches the core. `lines` names places in the code. `print` gets lines of text. `quit` is called once, at the
-    /// command `quit` or at the end of the commands; nothing stops afterwards. REQUIRES: all stay where they are during
-    /// the run.
+    /// command `quit` or at the end of the commands. Afterwards the stepper does not stop the core any more. REQUIRES:
+    /// the stepper and all arguments stay at their addresses during the run.
     Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print,
             std::function<void()> quit);
     Stepper(const Stepper&) = delete;
@@ -28,7 +28,7 @@ private:
     void begins(Word at) override;
     void executed(Word, HalfCycles) override {}
 
-    /// Carries out a command. Returns whether instructions are executed then.
+    /// Carries out a command. Returns whether the core continues after the command.
     bool obey(const std::string& line);
     void break_at(const std::string& address);
     void leave();

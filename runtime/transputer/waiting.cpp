@@ -19,7 +19,7 @@ std::optional<Word> word_of_node(const Core& core, Word address) {
 
 bool is_prefix(std::uint8_t byte) { return byte >> 4 == 0x2 || byte >> 4 == 0x6; }
 
-/// Returns the bytes of an instruction and of its prefixes before it.
+/// Returns the bytes of the instruction that ends at `end`, with its prefixes.
 std::vector<std::uint8_t> bytes_up_to(const NodeMemory& memory, Word end) {
     std::vector<std::uint8_t> bytes;
     while (end > 0 && bytes.size() < most_prefixes && (bytes.empty() || is_prefix(memory.byte(end - 1))))
@@ -59,7 +59,7 @@ private:
     std::optional<Word> a_, b_, c_;
 };
 
-/// Has the effect of an instruction that only loads and computes addresses. Returns false for another one. An operand
+/// Performs an instruction that only loads and computes addresses. Returns false for any other instruction. An operand
 /// that counts words has been multiplied by 4.
 bool evaluate(const Core& core, Word workspace, Operation operation, Word operand, KnownStack& stack) {
     const auto load = [&](Word address) { return word_of_node(core, address); };
@@ -121,7 +121,8 @@ std::vector<CodedInstruction> code_before(const Core& core, Word address, bool a
     return code;
 }
 
-/// Returns the channels of an input, an output or an ALT that ends before an address, if the code before it tells.
+/// Returns the channels of an input, an output or an ALT that ends before an address, if the code before the address
+/// shows them.
 std::optional<std::vector<Word>> channels_before(const Core& core, Word workspace, Word instruction, bool alternates) {
     std::vector<Word> channels;
     KnownStack stack;
@@ -148,8 +149,8 @@ std::optional<std::vector<Word>> channels_before(const Core& core, Word workspac
 constexpr std::array waits{Operation::in,    Operation::out,    Operation::outbyte, Operation::outword,
                            Operation::altwt, Operation::taltwt, Operation::tin};
 
-/// The instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or follows
-/// data that looks like one.
+/// Returns the instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or
+/// follows data that looks like one.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
     if (!instruction || !core.has_executed_before(*instruction))
@@ -221,8 +222,8 @@ private:
         }
     }
 
-    /// Adds the process that waits at a link. The direction is the channel's, not the instruction's. After analyse the
-    /// word may be an old one.
+    /// Adds the process that waits at a link. The channel determines the direction of the wait, not the instruction.
+    /// After analyse, the word of the channel may be left over from an earlier wait.
     void add_at_link(Word channel, int number) {
         const Word descriptor = *word_of_node(core_, channel), workspace = descriptor & ~Word{3};
         if (descriptor == not_a_process || !can_wait(workspace))
@@ -236,7 +237,8 @@ private:
         process(workspace, (descriptor & 1) != 0, wait).channels.push_back(channel);
     }
 
-    /// Returns whether the code tells that the process of a descriptor waits for other channels, which hold it.
+    /// Returns whether the code shows that the process of a descriptor waits on other channels, whose words hold the
+    /// descriptor.
     bool waits_elsewhere(Word descriptor, Word channel, bool alternates) const {
         const Word workspace = descriptor & ~Word{3};
         const auto channels =
@@ -257,7 +259,7 @@ private:
         std::ranges::sort(holders_, {}, [](const Holder& each) { return std::pair(each.workspace, each.at); });
     }
 
-    /// Returns whether a process waits at channels in memory, by what it leaves in W-3.
+    /// Returns whether W-3 has a value that a process leaves there when it waits at channels in memory.
     bool leaves_pointer(Word workspace) const {
         const Word pointer = *word_of_node(core_, workspace - below::pointer);
         switch (waits_at(core_, workspace)) {
@@ -271,14 +273,14 @@ private:
         }
     }
 
-    /// Adds a process whose workspace these words hold. A word that holds its address may be another pointer.
+    /// Adds the process to whose workspace these words refer. Such a word may also be an ordinary pointer.
     void add_at_channels(std::span<const Holder> holders) {
         const Word workspace = holders.front().workspace;
         const Operation operation = waits_at(core_, workspace);
         const bool alternates = operation == Operation::altwt || operation == Operation::taltwt;
         const auto known = found_.find(workspace);
         if (known != found_.end() && known->second.wait != Wait::alternative)
-            return; // it waits for a link or a timer
+            return; // the process waits for a link or a timer
         const bool is_low =
             known != found_.end() ? known->second.priority == 1 : std::ranges::any_of(holders, &Holder::is_low);
         const auto channels =

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-/// Functions of words that instructions need, and values that the scheduler keeps in memory.
+/// Functions on words that instructions need, and values that the scheduler keeps in memory.
 namespace placedpar::transputer {
 
 inline constexpr Word sign_bit = 0x8000'0000;
@@ -16,7 +16,7 @@ constexpr std::int32_t signed_of(Word word) { return static_cast<std::int32_t>(w
 /// Returns the number of the highest bit that is set; 0 for 0.
 constexpr Word top_bit(Word word) { return word == 0 ? 0 : static_cast<Word>(31 - std::countl_zero(word)); }
 
-/// Returns the cycles of a shift of two words by so many places, beyond the first 3.
+/// Returns the cycles of a shift of two words by this number of places, beyond the first 3 cycles.
 constexpr Word cycles_of_long_shift(Word places) {
     if (places < 32)
         return places;
@@ -43,7 +43,7 @@ constexpr Word reversed(Word word) {
     return result;
 }
 
-/// The number of channels of links, with the event channel.
+/// The number of channels of links, including the event channel.
 inline constexpr Word hard_channels = 9;
 
 /// Returns the number of a link's channel: 0 to 3 outputs, 4 to 7 inputs, 8 the event channel; otherwise -1.
@@ -67,7 +67,8 @@ inline constexpr Word none_selected = ~Word{0};
 /// Addresses below MemStart.
 namespace reserved {
 inline constexpr Word outputs = most_negative, inputs = most_negative + 0x10, event = most_negative + 0x20;
-inline constexpr Word timer_heads = most_negative + 0x24; ///< of the high priority, then of the low
+inline constexpr Word timer_heads = most_negative + 0x24; ///< the head for high priority, then the head for low
+                                                          ///< priority
 inline constexpr Word saved = most_negative + 0x2C; ///< Wdesc, Iptr, A, B, C, Status, E of the interrupted process
 } // namespace reserved
 

@@ -8,7 +8,7 @@ function makeEditor(id, mode, label, placeholder) {
     mode, lineNumbers: true, matchBrackets: true, indentUnit: 2, tabSize: 8, indentWithTabs: false, inputStyle: "contenteditable",
     screenReaderLabel: label, placeholder, viewportMargin: 200, gutters: ["CodeMirror-linenumbers", "signs"],
   });
-  // Tab indents, as writers of occam expect; after Escape it leaves the editor.
+  // Tab indents, as users of occam expect. After Escape, Tab leaves the editor.
   const keys = {
     "Ctrl-Space": () => editor.showHint({ hint: completeAt, completeSingle: false }),
     "Ctrl-Enter": () => (exercise ? byId("check") : byId("run")).click(),
@@ -25,8 +25,8 @@ function makeEditor(id, mode, label, placeholder) {
 }
 
 const editors = {
-  netlist: makeEditor("netlist", "netlist", "Netlist", "A netlist, which says which processes run on which machine.\nWithout one, the program in occam is run on a T800."),
-  occam: makeEditor("occam", "occam", "Program in occam", "A program in occam. A netlist uses it by its name."),
+  netlist: makeEditor("netlist", "netlist", "Netlist", "A netlist, which says which processes run on which machine.\nWithout a netlist, the program in occam runs on a T800."),
+  occam: makeEditor("occam", "occam", "Program in occam", "A program in occam. A netlist refers to it by its name."),
 };
 const names = { netlist: "network.cfs", occam: "program.occ" };
 const stored = new Map(); // texts of files in occam that are not in the editor at present
@@ -67,7 +67,7 @@ byId("occam-files").addEventListener("change", event => {
   putOccam(event.target.value, { ...Object.fromEntries(stored), [names.occam]: editors.occam.getValue() });
 });
 
-/** Converts a column in bytes to CodeMirror's position, which counts units of UTF-16. */
+/** Converts a column in bytes to CodeMirror's column, which counts units of UTF-16. */
 function position(text, column) {
   const bytes = new TextEncoder().encode(text).slice(0, column - 1);
   return new TextDecoder().decode(bytes).length;

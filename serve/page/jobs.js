@@ -1,4 +1,4 @@
-// Jobs that the server does: each is one request, which waits for its answer. Closing the request ends the job.
+// Jobs of the server: each job is one request, which waits for its answer. Closing the request ends the job.
 "use strict";
 
 const nameOfPage = crypto.getRandomValues(new Uint32Array(3)).join("-");
@@ -13,7 +13,7 @@ async function answerOf(job, signal, says = () => {}) {
     if (ended)
       return;
     if (place.place > 0)
-      says(`Waiting: place ${place.place}.`);
+      says(`Waiting in the queue at place ${place.place}.`);
     else if (place.place === 0)
       says("Running.");
   }, 700);

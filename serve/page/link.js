@@ -1,4 +1,5 @@
-// A link that holds the programs: JSON, deflated, in base64 for addresses (RFC 4648, 5), behind "#".
+// A link that contains the programs: after "#", the programs as JSON, deflated, in base64 for addresses (RFC 4648,
+// section 5).
 "use strict";
 
 async function through(stream, bytes) {

@@ -7,7 +7,7 @@ let examples = {}, exercises = [], exercise = null, running = null;
 const says = text => { byId("status").textContent = text; };
 const folderOf = name => name.slice(0, name.lastIndexOf("/") + 1);
 
-/** Ends the current job, because its answer would appear under another program. */
+/** Ends the current job, because its answer would belong to a program that is no longer shown. */
 function abandon() {
   running?.abort();
   running = null;
@@ -100,7 +100,7 @@ function finish(sentence) {
 async function copyLink() {
   history.replaceState(null, "", await fragmentOf(state()));
   await navigator.clipboard?.writeText(location.href).catch(() => {});
-  says(`The address of this page now holds the program (${location.href.length} characters).`);
+  says(`The address of this page now contains the program (${location.href.length} characters).`);
 }
 
 for (const task of ["run", "explain", "listing"])
@@ -119,7 +119,7 @@ document.addEventListener("keydown", event => {
     (exercise ? byId("check") : byId("run")).click();
 });
 
-/** Shows the program in the address. If it is damaged, calls `otherwise` and shows an error. */
+/** Shows the program in the address. If the address is damaged, calls `otherwise` and shows an error. */
 async function showLink(otherwise = () => {}) {
   try {
     show(await stateOf(location.hash));

@@ -13,7 +13,7 @@ function panelFor(kind, content, title) {
     text.tabIndex = 0;
     return text;
   }
-  // The page of a run is a document of its own, which can reach nothing here.
+  // The page of a run is a separate document, which has no access to this page.
   const frame = document.createElement("iframe");
   frame.title = title;
   frame.setAttribute("sandbox", "allow-scripts");
@@ -21,7 +21,7 @@ function panelFor(kind, content, title) {
   return frame;
 }
 
-/** Shows one tab. A page is loaded only now, since a hidden page has no size. */
+/** Shows one tab. The page of a run is loaded only when its tab is shown, since a hidden page has no size. */
 function choose(tab, answer) {
   for (const each of byId("tabs").children) {
     const chosen = each === tab;

@@ -91,7 +91,7 @@ class Checkpoints(unittest.TestCase):
         begin = self.stop_in_the_middle(ISLANDS)
         log = self.file.with_name("log.csv")
         run = placedpar("run", ISLANDS, "--checkpoint", self.file, "--log", log)
-        self.assertIn(f"placedpar: continues after generation {begin} of {self.file}\n", run.stderr)
+        self.assertIn(f"placedpar: continues from {self.file}, after generation {begin}\n", run.stderr)
         rows = log.read_text(encoding="utf-8").splitlines()
         numbers = {int(row.split(",")[rows[0].split(",").index("generation")]) for row in rows[1:]}
         self.assertEqual(min(numbers), begin + 1)
@@ -174,7 +174,7 @@ class Refusals(unittest.TestCase):
         stored = json.loads(self.file.read_text(encoding="utf-8"))
         for generation in (10000, 2 ** 64 - 1):
             self.file.write_text(json.dumps({**stored, "generation": generation}), encoding="utf-8")
-            self.assertIn("the checkpoint is from a generation after the last generation of this search, 80: ",
+            self.assertIn("this search ends with generation 80, before the generation of the checkpoint: ",
                           self.refused())
 
     def test_of_searches_whose_results_no_checkpoint_holds(self):
@@ -194,7 +194,7 @@ class Refusals(unittest.TestCase):
             self.file.write_text(text, encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
         self.file.write_text(good.replace('"population": [', '"population": ["01",'), encoding="utf-8")
-        self.assertIn("the checkpoint does not hold 15 strings of this search", self.refused())
+        self.assertIn("the checkpoint belongs to another search: expected 15 strings of this search's representation", self.refused())
         self.file.unlink()
         self.file.mkdir()
         self.assertIn("Is a directory", self.refused())

@@ -27,7 +27,7 @@ class Disassemble(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         head, about, text = run.stdout.split("\n", 2)
         self.assertEqual(head, "code.btl: 131 bytes, disassembled for a T800")
-        self.assertTrue(about.startswith("+: position in the file. ?: nothing in the loader leads here"))
+        self.assertTrue(about.startswith("+: position in the file. ?: nothing in the loader leads to these bytes"))
         self.assertTrue(text.startswith("\nloader: bytes +00001 to +00004\n"
                                         "  #80000070  24 F2               mint                    6\n"
                                         "  #80000072  60 0C               j       #80000070\n"
@@ -47,7 +47,7 @@ class Disassemble(unittest.TestCase):
     def test_wrong_positions_and_files_are_refused(self):
         for words, message in ((["--from", "x"], "--from: \"x\" is not a position: write 1135, or +0046F as in the output"),
                                (["--until", "-3"], "\"-3\" is not a position"),
-                               (["--from", "131"], "code.btl: the range from position 131 to before 131 has no byte: the file has 131 "
+                               (["--from", "131"], "code.btl: the range from position 131 to 131, end excluded, has no byte: the file has 131 "
                                                    "bytes"),
                                (["--processor", "T212"], "T212 not in {T414,T425,T400,T800,T805}")):
             run = self.disassembled(FILE, *words)

@@ -50,8 +50,8 @@ class DrainSide(unittest.TestCase):
 
     def test_what_is_refused(self):
         record = self.folder / f"{SEEDS[0]}.csv"
-        self.assertIn("the outlet side of the boom only", self.refused(record, "--link", "stick"))
-        self.assertIn("--areas-from spool or servo", self.refused(record, "--areas-from", "areas"))
+        self.assertIn("only the outlet side of the boom", self.refused(record, "--link", "stick"))
+        self.assertIn("--areas-from spool or --areas-from servo", self.refused(record, "--areas-from", "areas"))
         simple = self.folder / "simple.csv"
         placedpar("record", "scenario-a", "--out", simple)
         self.assertIn("the record has no channel boom.outlet_pressure", self.refused(simple))

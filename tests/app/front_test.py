@@ -48,7 +48,7 @@ class Front(unittest.TestCase):
     def test_refusals_say_what_would_be_right(self):
         for message, arguments in (('did you mean "zdt1"', ["zdt0"]),
                                    ("a problem with a record has no front", ["boom", "--coding", "natural"]),
-                                   ("--svg draws two objectives, but g06 has 1", ["g06", "--svg", "plot.svg"]),
+                                   ("--svg draws the front of a problem with two objectives, but g06 has 1", ["g06", "--svg", "plot.svg"]),
                                    ("--generations", [ZDT1, "--generations", 0])):
             run = placedpar("front", *arguments)
             self.assertEqual(run.returncode, 1, run.stdout)
@@ -57,7 +57,7 @@ class Front(unittest.TestCase):
     def test_a_netlist_names_the_command(self):
         run = placedpar("generate", "ring", "--size", 4, "--problem", ZDT1)
         self.assertEqual(run.returncode, 1)
-        self.assertIn(f"front '{ZDT1}' finds the front; in Python, search_front() does", run.stderr)
+        self.assertIn(f"front '{ZDT1}' finds the front; in Python, search_front() finds it", run.stderr)
 
 
 if __name__ == "__main__":

@@ -158,7 +158,8 @@ class Movements(unittest.TestCase):
                        ["--on", EXAMPLES / "thesis/table-e1" / "cluster.cfs"]):
             run = placedpar("identify", STEP, *option)
             self.assertEqual(run.returncode, 1)
-            self.assertIn("works only with --way thesis", run.stderr)
+            also = " or whole;" if option[0] in ("--samples", "--coding") else ""
+            self.assertIn("works only with --way thesis" + also, run.stderr)
 
     def test_an_offset_is_told_and_can_be_taken_off(self):
         for taken_off, left in ((0, -0.01), (-0.01, 0)):
@@ -295,7 +296,7 @@ class Movements(unittest.TestCase):
         head, rows = rows_of(STEP)
         rest = placedpar("identify", self.write(head, [[f"{0.02 * i:.2f}", *rows[0][1:]] for i in range(100)]))
         self.assertEqual(rest.returncode, 1)
-        self.assertIn("no movement in 100 samples", rest.stderr)
+        self.assertIn("no movement was found in 100 samples", rest.stderr)
         bare = self.write(["time [s],boom.angle [deg]"], [[f"{0.02 * i:.2f}", str(i)] for i in range(20)])
         self.assertIn("no channel boom.inlet_pressure; it has boom.angle", placedpar("identify", bare).stderr)
 

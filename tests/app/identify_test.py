@@ -128,6 +128,15 @@ class Identification(unittest.TestCase):
         self.assertIn("has no effect", self.refused(links, "--link", "bucket,boom", "--offset", 0.01))
         self.assertIn("spool offset", self.identify(STEP, "--areas-from", "servo"))
 
+    def test_the_offset_of_a_sensor_that_is_not_used_does_not_matter(self):
+        record = self.record("excavator", "--noise", "none")
+        shifted = self.rows(lambda row: row[:4] + [str(float(row[4]) + 0.01)] + row[5:], record)
+        by_servo = ("--areas-from", "servo")
+        plain, other = self.boom(record, *by_servo), self.boom(shifted, *by_servo)
+        self.assertEqual(other["compliance"], plain["compliance"])
+        self.assertAlmostEqual(plain["compliance"], 0.0086, delta=0.1 * 0.0086)
+        self.assertIn("spool offset: +0.01", self.identify(shifted))
+
     # Records with gaps
 
     def test_rows_lost_before_the_transient_change_little_by_the_voltage(self):

@@ -257,7 +257,7 @@ class OtherNames(unittest.TestCase):
     def test_what_is_near_to_nothing_is_told_where_to_look(self):
         self.assertIn("placedpar run --help lists the options", refusal("run", "x.cfs", "--quux"))
         self.assertIn("placedpar --help lists the commands", refusal("fly"))
-        self.assertIn("there are:\n  table-2-6", refusal("replay", "everything"))
+        self.assertIn("the experiments are:\n  table-2-6", refusal("replay", "everything"))
         self.assertEqual(refusal("check", "a.cfs", "b.cfs"), 'placedpar: placedpar check takes no further argument: "b.cfs"\n')
 
 

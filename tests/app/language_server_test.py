@@ -388,7 +388,7 @@ if a == b {
         client.notify("$/cancelRequest", {"id": 1})
         self.assertIn("csp.identity", self.hover(uri, "csp.identity"))
         self.assertEqual(len(client.logged), 2, client.logged)
-        self.assertIn("line 98 does not exist: the text has", client.logged[0])
+        self.assertIn("line 98 does not exist: the number of lines is", client.logged[0])
 
     def test_the_course_of_a_session(self):
         client = LanguageClient(initialize=False)

@@ -127,7 +127,7 @@ class Mark(unittest.TestCase):
         self.put("notes.txt", "")
         for arguments, message in (((self.folder / "class", "--exercise", "1.1"), "has no submission"),
                                    ((self.folder / "absent", "--exercise", "1.1"), "No such file or directory"),
-                                   ((self.folder / "class",), "the task is missing"),
+                                   ((self.folder / "class",), "name one task: either an exercise"),
                                    ((self.folder / "class", "--exercise", "99.1"), 'there is no exercise "99.1"')):
             done = placedpar("mark", *arguments)
             self.assertEqual((done.returncode, done.stdout), (1, ""))

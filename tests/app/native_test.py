@@ -76,6 +76,22 @@ class Results(unittest.TestCase):
                     self.assertEqual(results(netlist, "--native", "--threads", threads), simulated)
 
 
+class Messages(unittest.TestCase):
+    def test_between_threads_have_the_bytes_of_the_simulated_links(self):
+        with tempfile.TemporaryDirectory() as folder:
+            def reported(*arguments):
+                path = pathlib.Path(folder, "report.json")
+                run = placedpar("run", EXAMPLES / "genetic/coarse-fine/pair.cfs", "--json", path, *arguments)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                return json.loads(path.read_text(encoding="utf-8"))
+            simulated, native = reported(), reported("--native", "--threads", 3)
+        thread_of = {one["on"]: other["on"] for one, other in zip(simulated["processes"], native["processes"])}
+        links = {(thread_of[each["from"].split(".")[0]], thread_of[each["to"].split(".")[0]]): each["bytes"]
+                 for each in simulated["links"] if each["bytes"] > 0}
+        self.assertEqual({(each["from"], each["to"]): each["bytes"] for each in native["messages"]}, links)
+        self.assertEqual(len(links), 3)
+
+
 FARM = EXAMPLES / "genetic/farms/farm.cfs"
 
 
@@ -152,7 +168,7 @@ class Endings(unittest.TestCase):
                               "--threads", "400"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                              preexec_fn=few_threads, timeout=60, check=False)
         self.assertEqual(run.returncode, 1)
-        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number of --threads")
+        self.assertRegex(run.stderr, r"thread \d+ of 400 cannot be started: .*: give a smaller number to --threads")
 
     def test_what_only_simulated_runs_have_is_refused(self):
         netlist = EXAMPLES / "csp/deadlock/ring.cfs"

@@ -8,15 +8,15 @@ from program import placedpar
 
 # A file, the command, and what is printed. A process in a file without errors is compiled by `check`.
 MESSAGES = (
-    ("", "check", "FILE: no errors; it has no procedure\n"),
+    ("", "check", "FILE: no errors; the file has no procedure\n"),
     ("", "run", "placedpar: FILE: the file has no PROC that can be run\n"),
     ("VAL x IS 1:\n", "run", "placedpar: FILE: the file has no PROC that can be run\n"),
     ('#INCLUDE "test.occ"\n', "check", 'the file "test.occ" includes or uses itself\n'),
     ('#USE "test.occ"\n', "check", 'the file "test.occ" includes or uses itself\n'),
     ("PROC p (INT x)\n  x := 1\n:\n", "run",
-     "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), or (CHAN OF SP fs, ts, []INT memory)\n"),
+     "the main procedure cannot have this parameter: write (), (CHAN OF SP fs, ts), (CHAN OF SP fs, ts, []INT memory), or (CHAN OF BYTE keyboard, screen, error)\n"),
     ("PROC p ()\n  INT x\0:\n  SKIP\n:\n", "check", "this is a binary file, not text: it contains the byte 0x00\n"),
-    ("PROC p ()\n  INT \xe9:\n  SKIP\n:\n", "check", "the byte 0xe9 can stand in a string or in a comment only\n"),
+    ("PROC p ()\n  INT \xe9:\n  SKIP\n:\n", "check", "the byte 0xe9 is allowed only in a string or a comment\n"),
     ("PROC p ()\r\n  SKIP -- \xe9\r\n:\r\n\x1a", "check", "FILE: no errors; PROC p would be run\n"),
     ("PROC p ()\n" + "".join("  " * (i + 1) + "SEQ\n" for i in range(190)) + "  " * 191 + "SKIP\n:\n", "check",
      "FILE: no errors; PROC p would be run\n"),

@@ -69,7 +69,7 @@ class Configurations(unittest.TestCase):
         self.assertEqual(swept.returncode, 0, swept.stderr)
         for setting, said in (("workers=4", r"farm\.pgm:17:30: error: link 4 does not exist"),
                               ("workers=2.5", r'wrong type for the val "workers": 2\.5 is a real number'),
-                              ("workers=8589934592", r"farm\.pgm:5:5: error: the value that is set does not fit in INT"),
+                              ("workers=8589934592", r"farm\.pgm:5:5: error: workers cannot be set to 8589934592: INT holds whole numbers from -2147483648 to 2147483647"),
                               ("wokers=2", 'did you mean "workers"'), ("sps_success=1", "vals: K = 1024, M = 1048576, workers = 3")):
             done = placedpar("check", farm, "--set", setting)
             self.assertEqual(done.returncode, 1, setting)

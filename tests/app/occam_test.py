@@ -47,7 +47,7 @@ class Programs(unittest.TestCase):
             file = pathlib.Path(folder) / "ring.btl"
             done = placedpar("compile", program, "-o", file)
             self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the source lines of its code are in .*ring\.lines\n")
+            self.assertRegex(done.stdout, r"ring\.btl: \d+ bytes for a T800; the code's source lines are in .*ring\.lines\n")
             self.assertEqual(self.run_program(file), self.run_program(program))
 
     def test_standard_input_is_compiled_and_warned_of_once(self):
@@ -60,11 +60,11 @@ class Programs(unittest.TestCase):
             self.assertIn(" <standard input>\n", (pathlib.Path(folder) / "h.lines").read_text(encoding="ascii"))
             self.assertEqual(self.run_program(file), "h\n")
 
-    def run_text(self, text, *options, command="run"):
+    def run_text(self, text, *options, command="run", typed=None):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "test.occ"
             file.write_text(text, encoding="ascii")
-            return placedpar(command, file, *options)
+            return placedpar(command, file, *options, typed=typed)
 
     def test_reports_name_places_of_the_program(self):
         deadlock = self.run_text("""PROC stuck ()
@@ -165,6 +165,46 @@ PROC hello (CHAN OF SP fs, ts)
         self.assertIn("waits; an earlier request for a key found no key", done.stdout)
         self.assertRegex(done.stdout, r"root\.\d+:5 +inputs")
 
+    def test_a_line_from_a_pipe_ends_where_the_return_key_is_pressed(self):
+        done = self.run_text("""#INCLUDE "hostio.inc"
+PROC ask (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  [20]BYTE line:
+  INT length:
+  BYTE result:
+  SEQ
+    so.read.line (fs, ts, length, line, result)
+    so.write.string.nl (fs, ts, [line FROM 0 FOR length])
+    so.exit (fs, ts, sps.success)
+:
+""", typed="one\ntwo\n")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("one\n"), done.stdout)
+
+    def test_a_program_that_waits_for_a_key_after_the_last_one_waits_for_ever(self):
+        done = self.run_text("""#INCLUDE "hostio.inc"
+PROC ask (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  BYTE key, result:
+  SEQ
+    SEQ i = 0 FOR 2
+      so.getkey (fs, ts, key, result)
+    so.exit (fs, ts, sps.success)
+:
+""", "--keys", "a")
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertIn("waits for a key, but the input has ended", done.stdout)
+
+    def test_the_exit_code_tells_success_from_any_other_status(self):
+        for status, code in (("sps.success", 0), ("sps.failure", 1), ("INT32 7", 1)):
+            done = self.run_text(f"""#INCLUDE "hostio.inc"
+PROC leave (CHAN OF SP fs, ts, []INT memory)
+  #USE "hostio.lib"
+  so.exit (fs, ts, {status})
+:
+""")
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+
     def test_a_program_without_a_host_ends_with_success(self):
         done = self.run_text("PROC main ()\n  INT x:\n  x := 1\n:\n")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -191,7 +231,7 @@ PROC hello (CHAN OF SP fs, ts)
         done = self.run_text(text)
         self.assertEqual(done.returncode, 1)
         needed = int(re.search(r"test\.occ: the program needs (\d+) bytes of memory, but the transputer has 2M\n"
-                               r"hint: --memory \d+M\n", done.stderr).group(1))
+                               r"hint: use --memory \d+M\n", done.stderr).group(1))
         self.assertLess(needed, 200_000_000)
         done = self.run_text(text, "--memory", f"{(needed + 1023) // 1024}K")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
@@ -256,23 +296,23 @@ PROC main (CHAN OF SP fs, ts)
         text = "PROC main ()\n  [300000]INT a:\n  a[0] := 1\n:\n"
         done = self.run_text(text, "--memory", "1M")
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        self.assertRegex(done.stderr, r"test\.occ: the program needs 12\d{5} bytes of memory, but the transputer has 1M\nhint: --memory 2M\n")
+        self.assertRegex(done.stderr, r"test\.occ: the program needs 12\d{5} bytes of memory, but the transputer has 1M\nhint: use --memory 2M\n")
         self.assertEqual(self.run_text(text, "--memory", "2M").returncode, 0)
         million = "PROC main ()\n  PAR i = 0 FOR 1000000\n    INT x:\n    x := i\n:\n"
         done = self.run_text(million)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
-        memory = re.search(r"hint: --memory (\d+M)\n", done.stderr).group(1)
+        memory = re.search(r"hint: use --memory (\d+M)\n", done.stderr).group(1)
         self.assertEqual(self.run_text(million, "--memory", memory).returncode, 0)
 
     def test_a_program_gets_all_values_of_a_sample(self):
         cluster = EXAMPLES / "occam/genetic/cluster.cfs"
         done = placedpar("check", cluster, "--set", "record.sample_bytes=16")
         self.assertEqual(done.returncode, 1)
-        self.assertIn('sample_bytes = 16, but the program of "t[0]" gets all values of a sample', done.stderr)
-        self.assertIn("hint: set it to 40, the length of the values as REAL64", done.stderr)
+        self.assertIn('sample_bytes = 16, but the program of "t[0]" must receive all values of a sample', done.stderr)
+        self.assertIn("hint: set sample_bytes to 40, the length of all values as REAL64", done.stderr)
         done = placedpar("check", cluster, "--set", "record.problem=sphere")
         self.assertEqual(done.returncode, 1)
-        self.assertIn('"sphere" has no record, but the program of "t[0]" waits for its samples', done.stderr)
+        self.assertIn('"sphere" has no record, but the program of "t[0]" waits for samples', done.stderr)
 
     def test_errors_have_places(self):
         for command in ("run", "check"):
@@ -282,6 +322,15 @@ PROC main (CHAN OF SP fs, ts)
         done = self.run_text("PROC main ()\n  SKIP\n:\n", command="check")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("no errors; PROC main would be run", done.stdout)
+        for option in (["--set", "x=1"], ["--use", "a=b"], ["--fault", "zzz"]):
+            done = self.run_text("PROC main ()\n  SKIP\n:\n", *option, command="check")
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"{option[0]} has no effect on", done.stderr)
+        for parameters, runs in (("CHAN OF INT in, out, VAL INT n, k", False), ("CHAN OF INT a, b", True), ("VAL INT n", False),
+                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF INT a, b, []INT m", True)):
+            done = self.run_text(f"PROC worker ({parameters})\n  SKIP\n:\n", command="check")
+            self.assertEqual("PROC worker would be run" in done.stdout, runs, parameters)
+            self.assertEqual("only a netlist can use PROC worker, because of its parameters" in done.stdout, not runs)
         done = self.run_text("VAL x IS 1:\n")
         self.assertEqual(done.returncode, 1)
         self.assertIn("the file has no PROC that can be run", done.stderr)

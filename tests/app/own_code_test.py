@@ -66,6 +66,12 @@ class OwnCode(unittest.TestCase):
         self.assertRegex(out, r"\nroot -> consumer.in +root.#\w+ +consumer +inputter +mixed.cfs:20\n")
         self.assertNotIn("left.link[2] -> root.link[1]  ", out.split("\nlink ")[0])
 
+    def test_options_for_code_of_its_own_are_refused_without_such_code(self):
+        for option in ("--listing", "--analyse", "--step"):
+            done = placedpar("run", EXAMPLES / "csp/commstime/commstime.cfs", option, typed="")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, f"placedpar: {option} has no effect: no transputer of .*commstime.cfs executes code of its own")
+
 
 if __name__ == "__main__":
     unittest.main()

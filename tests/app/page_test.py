@@ -200,7 +200,7 @@ class Pages(unittest.TestCase):
     def test_a_part_after_the_run_is_empty_and_says_so(self):
         for begin, empty in (("1s", True), ("9.54ms", True), ("9.53ms", False), ("0s", False)):
             run, _ = self.page(COMMSTIME, "--trace-from", begin)
-            said = f"{self.folder / 'run.html'}: the timelines of the page are empty: the run ended at 9.540000 ms, before the trace was to begin at "
+            said = f"{self.folder / 'run.html'}: the timelines of the page are empty: the run ended at 9.540000 ms, but the trace would begin at "
             self.assertEqual(run.stderr.startswith(said), empty)
             self.assertTrue(empty or not run.stderr)
 

@@ -114,7 +114,7 @@ class Deadlock(ProgramWaits):
     def test_a_wrong_table_is_refused_with_its_place(self):
         file = self.assembled("cross", CROSS)
         for text, message in ((LINES.replace("end\n", ""), '8:1: error: the table is cut off: its last row must be "end"'),
-                              (LINES.replace("+#16 3", "+#17 3"), "3:1: error: the row has an address of the row in line 2"),
+                              (LINES.replace("+#16 3", "+#17 3"), "3:1: error: the row has an address that the row in line 2 has already"),
                               (LINES.replace("#0C", "0C"), "2:6: error: FROM is not an address such as #80000170"),
                               (LINES.replace("main\n", "\x01\n", 1), "error: ")):
             path = self.file("cross.lines", text)

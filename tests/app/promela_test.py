@@ -85,7 +85,7 @@ class Refusals(unittest.TestCase):
     def test_a_kind_that_says_nothing_in_promela_is_named(self):
         run = placedpar("show", EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", "--format", "promela")
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn('"host" is a ga.host, a kind without a Promela model of its communications; these kinds have one: csp.buffer',
+        self.assertIn('"host" is a ga.host, which has no Promela model of its communications; these kinds have one: csp.buffer',
                       run.stderr)
 
 

@@ -302,7 +302,7 @@ class Jobs(unittest.TestCase):
 
     def test_a_soil_that_lifts_the_machine_is_refused_with_move_and_line(self):
         said = self.refused(self.START + self.LOWER + "soil = 1e6\n")
-        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2 \(line \d+\): the soil's force of 1e\+06 lbf takes away all of the \w+'s load")
+        self.assertRegex(said[0], r"^placedpar: --job job\.toml: move 2 \(line \d+\): the soil's force of 1e\+06 lbf cancels the \w+'s load")
 
     def test_any_beginning_of_a_job_is_read_or_refused(self):
         text = DIG.read_text(encoding="utf-8")
@@ -312,7 +312,7 @@ class Jobs(unittest.TestCase):
             self.assertIn(run.returncode, (0, 1), run.stderr)
 
     def test_the_job_belongs_to_one_scenario(self):
-        said = "--job job.toml: links takes no job; the scenario excavator does"
+        said = "--job job.toml: the scenario links takes no job; the scenario excavator does"
         run = placedpar("record", "links", "--job", "job.toml", folder=self.folder)
         self.assertEqual((run.returncode, run.stderr), (1, f"placedpar: {said}\n"))
         run = placedpar("record", "excavator", "--job", self.job, "--set", "fault.leak=1")

@@ -194,7 +194,7 @@ class Replay(unittest.TestCase):
     def test_what_is_no_study_has_no_seeds_to_count(self):
         run = placedpar("replay", "table-e1", "--seeds", 3)
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn("table-e1 does not run several seeds", run.stderr)
+        self.assertIn("table-e1 has a fixed number of runs, so --seeds and --resume have no effect", run.stderr)
 
     def test_table_e2_is_within_its_tolerances(self):
         run, document = replay("table-e2", self.folder)
@@ -216,7 +216,7 @@ class Replay(unittest.TestCase):
             self.assertRegex(run.stdout, r"\nspeedup +10\.86 +12 +-9\.5%!")
         run = placedpar("replay", "table-e1", "--against", "printed")
         self.assertEqual((run.returncode, run.stdout), (1, ""))
-        self.assertIn("it applies to table-e2", run.stderr)
+        self.assertIn("it affects table-e2", run.stderr)
 
     def test_the_compliance_stands_beside_the_true_one_and_is_judged(self):
         for experiment, columns in (("table-e1", 4), ("table-e2", 4)):

@@ -90,7 +90,7 @@ class Report(InFolder):
         for arguments, message in (
                 (["--measure", "master.T_ex"], 'unknown measure "master.T_ex"; did you mean "master.T_exe"?'),
                 (["--runs"], "--runs writes a row for each run as comma-separated values: add --csv FILE"),
-                (["--over", "slaves"], "--over names the horizontal axis of a plot, but no plot was asked for")):
+                (["--over", "slaves"], "--over names the horizontal axis of a plot, but no plot is drawn")):
             with self.subTest(arguments=arguments):
                 done = placedpar("report", "figure-e2.sqlite", *arguments, folder=self.folder)
                 self.assertEqual((done.returncode, done.stdout), (1, ""))

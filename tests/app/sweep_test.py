@@ -156,13 +156,13 @@ class Sweep(InFolder):
         self.assertEqual([line.split()[-1] for line in lines[3:8]], ["processors", "1", "2", "3", "4"])
         report = placedpar("report", "study.toml", "--relative-to", "slaves=1", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[-1] for line in report[5:9]], ["0.5", "1", "1.5", "-"])  # with trials 10 as well
-        self.assertEqual(report[2], "no relative figures, because no matching run with these settings ended in the same way: 1 run")
+        self.assertEqual(report[2], "1 run without relative figures, because no matching run with these settings ended in the same way")
 
     def test_a_run_that_was_stopped_is_not_compared_with_one_that_ended(self):
         self.sweep(COMMSTIME, "count=10,20,1000000000", "--until", "1ms")
         report = placedpar("report", "commstime.cfs", "--relative-to", "count=10", folder=self.folder).stdout.splitlines()
         self.assertEqual([line.split()[2] for line in report[5:8]][::2], ["1", "-"])
-        self.assertIn("ended in the same way: 1 run", report[2])
+        self.assertIn("1 run without relative figures", report[2])
 
     def test_a_deadlock_a_refusal_and_a_stop_are_results(self):
         self.assertRegex(self.sweep(COMMSTIME, "count=10,1000000000,-1", "--until", "1ms"),
@@ -185,7 +185,7 @@ class BadInput(InFolder):
         self.sweep(*too_short)
         for measure, about in (("host.accurate_after", "time after which the fittest estimate stays accurate; absent if the last "
                                                        "estimate is not accurate"),
-                               ("max(master[0].T_exe)", "mean time of a generation with a full window; this time and the other times are absent if the window was never full")):
+                               ("max(master[0].T_exe)", "mean time of a generation with a full window; all times are absent if the window was never full")):
             told = f'placedpar: no run measured "{measure}": {about}'
             self.assertTrue(self.sweep(*too_short, "--measure", measure, code=1).startswith(told))
             reported = placedpar("report", "kept", "--measure", measure, folder=self.folder)

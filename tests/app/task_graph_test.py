@@ -130,10 +130,10 @@ class TaskGraph(unittest.TestCase):
     def test_wrong_tables_are_refused_with_their_place(self):
         for text, message in (("task,cycles\na,1\n", 'the table has no column "successors"'),
                               ("task,cycles,successors\na,1,b:3\n", 'unknown task "b"'),
-                              ("task,cycles,successors\na,1,b\nb,1,\n", '"b" does not state its bytes'),
+                              ("task,cycles,successors\na,1,b\nb,1,\n", '"b" does not state a number of bytes'),
                               ("task,cycles,successors\na,x,\n", '"x" is not a number of cycles'),
                               ("task,cycles,successors\na,1,\na,1,\n", 'the task "a" is listed twice'),
-                              ("task,cycles,successors\na b,1,\n", '"a b" cannot name a task'),
+                              ("task,cycles,successors\na b,1,\n", '"a b" cannot be the name of a task'),
                               ("task,cycles,successors\na,1,b:4\nb,1,a:4\n", "circle of tasks"),
                               ("task,cycles,successors,processor\na,1,,4\n", '"4" is not a processor of this machine'),
                               ("task;cycles;successors\na;1;\n", "separated by semicolons"), ("", "expected a header")):

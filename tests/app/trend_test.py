@@ -59,7 +59,7 @@ class Trends(unittest.TestCase):
         said = "with fewer than 6 records only the standard errors decide whether a change is reported"
         self.assertNotIn(said, run.stdout)
         self.assertIn(said, self.trend([each["record"] for each in result["records"][:5]])[1].stdout)
-        self.assertIn("not every record has a date, so they are in the order of the command line", run.stdout)
+        self.assertIn("not every record has a date, so the records are in the order of the command line", run.stdout)
         for each in result["records"]:
             (boom,) = each["links"]
             found = boom["compliance_in3_per_psi"]
@@ -120,7 +120,7 @@ class Trends(unittest.TestCase):
         run = placedpar("identify", both, servo)
         self.assertEqual(run.returncode, 1, run.stdout)
         self.assertIn(f"{servo}: the compliance of the boom is found from the servo-valve's voltage, but in {both} from the "
-                      "spool: expected one source in all records, chosen by --areas-from", run.stderr)
+                      "spool: expected one source in all records; choose it by --areas-from", run.stderr)
         self.trend([both, servo], "--areas-from", "servo")
 
     def test_wrong_use_is_refused(self):

@@ -68,7 +68,7 @@ TEST_CASE("a wrong machine's file is refused with the place and remedy of each f
                                               "boom.inlet_aera,1,in^2,ours,\nboom.inlet_area,0,in^2,ours,guess\n",
                                           [](const auto& path) { load_machine(path, no_warnings); });
     CHECK(said.starts_with(":2:1: error: the machine has no parameter \"boom.inlet_aera\"\n"));
-    CHECK(said.find("hint: placedpar parameters lists them\n") != said.npos);
+    CHECK(said.find("hint: placedpar parameters lists all parameters\n") != said.npos);
     CHECK(said.find(":3:17: error: boom.inlet_area cannot be 0\n") != said.npos);
 }
 

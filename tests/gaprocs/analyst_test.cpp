@@ -174,7 +174,7 @@ TEST_CASE("an analyst that cannot compare its islands is refused at its place in
         CHECK_MESSAGE(refusal.find(marked) != std::string::npos, marked);
     };
     says(with_analyst(netlist, "choice = \"fixed(4)\""),
-         "the answer is to come from island 4, but the number of islands is 4; expected an island from 0 to 3",
+         "the choice is island 4, but the number of islands is 4; expected an island from 0 to 3",
          "choice = \"fixed(4)\"");
     says(with_analyst(netlist, "choice = \"best\""), "\"best\"", "choice = \"best\"");
     netlist.settings.schedule = AsynchronousSchedule{1};

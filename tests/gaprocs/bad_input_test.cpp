@@ -64,7 +64,7 @@ bool mentions(const std::string& text, const std::string& part) {
 
 TEST_CASE("reversed bounds and zero bits are refused when the problem is made") {
     CHECK_THROWS_WITH_AS(minimise(Reversed{}),
-                         "parameter 0: the range is 5 to -5, expected a lower and a higher number",
+                         "parameter 0: the range is 5 to -5, expected two finite numbers, the lower number first",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(minimise(Reversed{.bits = 0, .low = -5, .high = 5}), "parameter 0: 0 bits, expected 1 to 52",
                          std::invalid_argument);
@@ -151,8 +151,8 @@ TEST_CASE("reversed bounds and zero bits of a user-defined problem are a UserErr
     };
     problems.add(ProblemFamily{{"own", "", {{"bits", 4, 0, 9, true}}}, make});
     CHECK_THROWS_WITH_AS(problems.find("own"),
-                         "search problem 'own(bits = 4)': parameter 0: the range is 5 to -5, expected a lower and a "
-                         "higher number",
+                         "search problem 'own(bits = 4)': parameter 0: the range is 5 to -5, expected two finite "
+                         "numbers, the lower number first",
                          UserError);
     CHECK_THROWS_WITH_AS(problems.find("own(0)"),
                          "search problem 'own(bits = 0)': parameter 0: 0 bits, expected 1 to 52", UserError);

@@ -102,6 +102,8 @@ TEST_CASE("an island may not send estimates to a host from which it does not get
                        "connect island[1].to_host to other.from_masters[0];\n";
     CHECK_THROWS_WITH(run_on_line(text), doctest::Contains("error: \"other.from_masters[0]\" receives estimates from a "
                                                            "process that does not get its samples from this host"));
-    CHECK_THROWS_WITH(run_on_line(text),
-                      doctest::Contains("hint: connect other.to_masters[...] to the same process's from_host"));
+    CHECK_THROWS_WITH(
+        run_on_line(text),
+        doctest::Contains(
+            "hint: connect other.to_masters[...] to the from_host of the process that sends the estimates"));
 }

@@ -128,8 +128,8 @@ TEST_CASE("without the parameter `initial`, and with \"random\" or \"\", every s
 TEST_CASE("an `initial` that is neither a policy nor a file is refused before the run, at its place") {
     Cluster cluster{.slaves = 0, .master_parameters = "initial = \"spraed\"", .problem = "sphere"};
     CHECK_THROWS_WITH(run_on_line(cluster.netlist()),
-                      doctest::Contains("no file has this name; as a policy it is one of random, spread; did you "
-                                        "mean \"spread\"?"));
+                      doctest::Contains("the text is neither the name of a file nor a policy: \"spraed\" is not one of "
+                                        "random, spread; did you mean \"spread\"?"));
 }
 
 TEST_CASE("a netlist's spread population is that of the library, drawn from a separate random stream") {

@@ -81,8 +81,8 @@ std::string and_of_the_last(const std::string& first, const std::string& last) {
 
 TEST_CASE("the old names of an island's ports are refused with a hint to the new names") {
     auto text = said_of(islands_netlist(2, all(""), {}) + "connect island[0].ring_out to island[1].ring_in;\n");
-    check_says(text, "hint: it is called \"to_neighbours\" now");
-    check_says(text, "hint: it is called \"from_neighbours\" now");
+    check_says(text, "hint: its name is now \"to_neighbours\"");
+    check_says(text, "hint: its name is now \"from_neighbours\"");
 }
 
 TEST_CASE("rings are accepted, and so are islands that state topology = \"none\"") {
@@ -107,8 +107,8 @@ TEST_CASE("populations of 0 and 1 are out of range") {
 
 TEST_CASE("an island without neighbours is refused if other islands have neighbours") {
     auto text = said_of(3, all(""), {{0, 0, 1, 0}, {1, 0, 0, 0}});
-    check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, while others have");
-    check_says(text, "a search that exchanges nothing is a ga.master");
+    check_says(text, "islands.cfs:2:9: error: the island \"island[2]\" has no neighbours, but other islands have");
+    check_says(text, "for a search that exchanges nothing, use ga.master");
 }
 
 TEST_CASE("a topology in several parts gives one warning") {
@@ -175,7 +175,7 @@ TEST_CASE("connections that disagree with the parameter `topology` are refused")
                "islands.cfs:4:44: error: \"island[0]\" is connected to island[1], expected island[1], island[2] in the "
                "topology \"hypercube\" of 4 islands");
     check_says(said_of(3, all(", topology = \"none\""), ring(3)), "expected no island in the topology");
-    check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "it is one of ring(ways = 1)");
+    check_says(said_of(3, all(", topology = \"cube\""), ring(3)), "\"cube\" is not one of ring(ways = 1)");
     check_says(said_of(10, all(", topology = \"torus(3)\""), ring(10)), "expected a divisor of 10: 1, 2, 5, 10");
 }
 
@@ -188,12 +188,14 @@ TEST_CASE("more emigrants than individuals, than a message can hold or than an i
                        ring(2)),
                "islands.cfs:4:48: error: a message for 50000 individuals would have");
     auto text = said_of(14, all(", elite = 1"), star(14));
-    check_says(text, "islands.cfs:4:27: error: 13 immigrants come at once to an island of 12 individuals with an elite "
-                     "of 1; expected at most 11");
+    check_says(
+        text,
+        "islands.cfs:4:27: error: 13 immigrants come in one exchange to an island of 12 individuals with an elite "
+        "of 1; expected at most 11");
     CHECK(said_of(12, all(", elite = 1"), star(12)).empty());
     auto no_pair = said_of(3, all(", elite = 11"), ring(3)); // a wrong elite gives no further message about immigrants
     check_says(no_pair, "an elite of 11 in a population of 12 leaves no pair");
-    CHECK(no_pair.find("at once") == std::string::npos);
+    CHECK(no_pair.find("in one exchange") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
                "22 immigrants come at once");
 }
@@ -209,7 +211,7 @@ TEST_CASE("islands that could wait for each other for ever, or have different pr
         return said_of(3, and_of_the_last(first, other), ring(3));
     };
     check_says(last("exchange_every = 3", "problem = \"line\", exchange_every = 4"),
-               "error: the schedule of \"island[2]\" is broadcast(every = 4), but that of \"island[0]\" is "
+               "error: the schedule of \"island[2]\" is broadcast(every = 4), but the schedule of \"island[0]\" is "
                "broadcast(every = 3)");
     check_says(last("trials = 5", "problem = \"line\", schedule = \"asynchronous\""),
                "error: the schedule of \"island[2]\" is asynchronous(every = 3), but");

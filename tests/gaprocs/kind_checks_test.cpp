@@ -113,13 +113,13 @@ TEST_CASE("settings that do not suit the record give one warning each") {
     CHECK(said_with(", trials = 3, bias = 400").empty()); // a bias that the netlist states gives no warning
     CHECK(said_with(", trials = 2, bias = 10") ==
           "farm.cfs:5:40: warning: trials = 2, but the record of \"timed\" has one sample for every 3 generations, so "
-          "its changes happen at other generations than documented\n"
+          "the changes in the record come at other generations than documented\n"
           "    master (problem = \"timed\", slaves = 2, trials = 2, bias = 10);\n"
           "                                           ^\n"
           "hint: trials = 3\n");
     std::string said = said_with("");
     CHECK(said.find("warning: trials = 5, but") != std::string::npos);
-    CHECK(said.find("warning: bias = 400 was chosen for \"boom\"") != std::string::npos);
+    CHECK(said.find("warning: bias = 400 was chosen for the problem \"boom\"") != std::string::npos);
     CHECK(said.find("hint: bias = 10\n") != std::string::npos);
 }
 
@@ -155,12 +155,12 @@ TEST_CASE("results that do not return to the process that sent the task are refu
 TEST_CASE("the old names of ports are refused with a hint to the new names") {
     auto text = refusal("to next", "connect slave[0].to_next to slave[1].from_master;");
     says(text, "error: the kind \"ga.slave\" of \"slave[0]\" has no channel \"to_next\"");
-    says(text, "hint: it is called \"to_slaves\" now");
+    says(text, "hint: its name is now \"to_slaves\"");
     says(refusal("from next", "connect slave[1].to_master to slave[0].from_next;"),
-         "hint: it is called \"from_slaves\" now");
+         "hint: its name is now \"from_slaves\"");
     const std::string interface = "process (interface (input from_master, output to_master, output to_next, input "
                                   "from_next)) older; use \"ga.slave\" for older; place older on t;";
-    says(refusal("host", interface), "hint: it is called \"to_slaves\" now");
+    says(refusal("host", interface), "hint: its name is now \"to_slaves\"");
 }
 
 TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work, is refused") {
@@ -170,7 +170,7 @@ TEST_CASE("a number of slaves that differs from the chain's, or exceeds the work
                  "farm.cfs:6:1: error: slaves = {}, but the number of slaves connected to \"master.to_slaves\" is 2",
                  slaves));
     says(refusal("master", "master (problem = \"line\", slaves = 2, population = 2);"),
-         "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for 1 slave at the most");
+         "farm.cfs:5:27: error: slaves = 2, but a population of 2 has work for at most 1 slave");
     CHECK(refusal("master", "master (problem = \"line\", slaves = 2, population = 3);").empty());
 }
 
@@ -216,9 +216,9 @@ TEST_CASE("a slave that is reached twice is refused") {
     auto text = refusal_of(lines);
     says(text, "farm.cfs:11:1: error: \"master.to_slaves[1]\" leads to the slave \"slave[0]\", but "
                "\"master.to_slaves[0]\" leads to the same slave");
-    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" is a single channel, not an array: a slave is connected "
-               "to one master or preceding slave");
-    says(text, "hint: connect ... slave[0].from_master;");
+    says(text, "farm.cfs:10:1: error: \"slave[0].from_master\" must be a single channel, not an array: a slave is "
+               "connected to one master or to one preceding slave");
+    says(text, "hint: write slave[0].from_master without a subscript");
 }
 
 TEST_CASE("slaves in a circle, which no master reaches, are refused once") {
@@ -345,14 +345,14 @@ TEST_CASE("parameters that need a record are ignored, with a warning, for a prob
           "cycles_per_measurement_word = 0", "measurements = \"sample\""}) {
         std::string name(parameter, std::string(parameter).find(' '));
         says(refusal_of_sphere("", fmt::format(", {}", parameter)),
-             fmt::format(
-                 "farm.cfs:5:41: warning: without effect, since \"sphere\" is an objective without measurements: {}\n",
-                 name));
+             fmt::format("farm.cfs:5:41: warning: the problem \"sphere\" has no record of measurements, so these "
+                         "settings have no effect: {}\n",
+                         name));
     }
-    says(refusal_of_sphere(", samples = 3", ""),
-         "farm.cfs:4:27: warning: without effect, since \"sphere\" is an objective without measurements: samples\n");
+    says(refusal_of_sphere(", samples = 3", ""), "farm.cfs:4:27: warning: the problem \"sphere\" has no record of "
+                                                 "measurements, so these settings have no effect: samples\n");
     says(refusal_of_sphere(", sample_bytes = 3", ""), "hint: \"generations\" of ga.host sets the length of the search");
-    says(refusal_of_sphere("", ", window = 10, bias = 400.0"), "without measurements: window, bias\n");
+    says(refusal_of_sphere("", ", window = 10, bias = 400.0"), "have no effect: window, bias\n");
     says(refusal("host", "host (problem = \"line\", generations = 3);"),
          "farm.cfs:4:25: error: generations applies only to problems without a record: \"line\" has a record of 12 "
          "samples");

@@ -187,7 +187,7 @@ TEST_CASE("a problem that does not exist, or not with these numbers, is refused 
     CHECK(refusal("valley(10)") == "dimensions = 10 is out of range: dimensions is a whole number from 1 to 9");
     CHECK(refusal("valley(depth = 1)").find("valley has no number \"depth\"") == 0);
     CHECK(refusal("valley(low = 1)") == "search problem 'valley(dimensions = 2, low = 1)': parameter 0: the range is "
-                                        "1 to 1, expected a lower and a higher number");
+                                        "1 to 1, expected two finite numbers, the lower number first");
     CHECK(refusal("sphere(3)") == "unknown search problem 'sphere(3)'; known: sphere, valley; did you mean "
                                   "\"sphere\"?");
 }

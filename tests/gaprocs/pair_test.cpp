@@ -192,7 +192,8 @@ TEST_CASE("bits and fields that cannot be bred are refused at their place") {
     wrong.both = "fields = \"4 4\", problem = \"valley\", coding = \"real\"";
     wrong.host = "problem = \"valley\"";
     wrong.bits_of_coarse = wrong.bits_of_fine = "2 2";
-    check_pair_refused(wrong, ":4:", "a pair breeds the bits of fields, and real numbers have none");
+    check_pair_refused(wrong,
+                       ":4:", "the searches of a pair breed fields of bits, but real numbers have no such fields");
     wrong = {};
     wrong.both.replace(wrong.both.find("\"8\""), 3, "\"9\"");
     check_pair_refused(wrong, "error", "the fields have 9 bits in all, but the problem's string has 8");

@@ -357,16 +357,16 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     settings = small_islands(16);
     settings.topology = StarTopology{};
     CHECK(refusal(settings) ==
-          "island 0: 15 immigrants come at once to an island of 12 individuals with an elite of 1; "
+          "island 0: 15 immigrants come in one exchange to an island of 12 individuals with an elite of 1; "
           "expected at most 11");
     settings.schedule = SequentialSchedule{};
     // In a star, all other islands can send to island 0 at once.
-    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come at once"));
+    CHECK(refusal(settings).starts_with("island 0: 15 immigrants come in one exchange"));
     settings.topology = CompleteTopology{};
     CHECK(refusal(settings).empty()); // immigrants come from one island at a time
     settings.emigration = BestEmigration{12};
     CHECK(refusal(settings) ==
-          "island 0: 12 immigrants come at once to an island of 12 individuals with an elite of 1; "
+          "island 0: 12 immigrants come in one exchange to an island of 12 individuals with an elite of 1; "
           "expected at most 11");
     for (std::size_t population : {0u, 1u}) {
         settings = small_islands(3);
@@ -384,6 +384,6 @@ TEST_CASE("impossible settings of islands are refused, and the message states wh
     settings.islands[1].window.length = 13;
     CHECK(refusal(settings) == "the window holds 13 samples, but the record has only 12");
     CHECK_THROWS_WITH_AS(Islands(*make_search_problem(LineProblem{}), small_islands(2), island_streams(1, 3)),
-                         "3 streams of random numbers for 2 islands, expected one for each island",
+                         "3 streams of random numbers for 2 islands, expected one stream for each island",
                          std::invalid_argument);
 }

@@ -116,11 +116,10 @@ TEST_CASE("a checkpoint of another search, or of a later generation, is refused"
     SearchSettings settings = usual_settings(*problem);
     run_traditional(*problem, 9, settings, RandomStream(3, "s"), nullptr, &states);
     states.begin = states.kept;
-    CHECK_THROWS_WITH_AS(
-        run_traditional(*problem, 5, settings, RandomStream(3, "s"), nullptr, &states),
-        "the checkpoint is from a generation after the last generation of this search, 5: let the search "
-        "run longer, or delete the checkpoint to begin anew",
-        UserError);
+    CHECK_THROWS_WITH_AS(run_traditional(*problem, 5, settings, RandomStream(3, "s"), nullptr, &states),
+                         "this search ends with generation 5, before the generation of the checkpoint: let the search "
+                         "run longer, or delete the checkpoint to start from the beginning",
+                         UserError);
     settings.population = 30;
     CHECK_THROWS_AS(run_traditional(*problem, 20, settings, RandomStream(3, "s"), nullptr, &states), UserError);
 }

@@ -55,6 +55,6 @@ TEST_CASE("windows that make no sense are refused with a reason") {
     message(settings, "the number of generations per sample is 0, expected at least 1");
     settings = {};
     settings.bias = 0;
-    message(settings, "the fitness bias is 0, expected above 0 and at most 8388608");
+    message(settings, "the fitness bias is 0, expected a number above 0 and at most 8388608");
     CHECK_NOTHROW(window_of(20, 5).validate_for(20));
 }

@@ -49,6 +49,6 @@ TEST_CASE("the SearchProblem interface gives the problem's own fitness") {
 }
 
 TEST_CASE("a circuit without links, or with more than four, is refused") {
-    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "the circuit has 0 junctions, expected 1 to 4",
+    CHECK_THROWS_WITH_AS(CircuitProblem({}, rounded_flow_constants()), "a circuit has 1 to 4 junctions, not 0",
                          std::invalid_argument);
 }

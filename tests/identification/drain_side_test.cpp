@@ -86,10 +86,11 @@ TEST_CASE("the drain sides of other links, and measured areas, are refused") {
     Question stick = drain_question(), areas = drain_question();
     stick.links = {Link::stick};
     areas.areas_from = AreasFrom::areas;
-    CHECK(refusal(stick) == "--side outlet: stick: the machine's constants describe the outlet side of the boom only "
-                            "(boom.outlet_area, A.7 to A.9)");
-    CHECK(refusal(areas) == "--side outlet: no sensor reads the area of an outlet; it comes from the spool or the "
-                            "servo-valve: --areas-from spool or servo");
+    CHECK(refusal(stick) ==
+          "--side outlet does not work for stick: the machine's constants describe only the outlet side of the boom "
+          "(boom.outlet_area, A.7 to A.9)");
+    CHECK(refusal(areas) == "--side outlet: no sensor reads the area of an outlet; compute it from the spool or the "
+                            "servo-valve, with --areas-from spool or --areas-from servo");
     Record without = record;
     without.of(Link::boom, Sensor::outlet_pressure).clear();
     CHECK_THROWS_WITH_AS(prepare(without, Parameters::excavator(), drain_question(), thesis_way()),

@@ -1,3 +1,4 @@
+#include "hydraulics/circuit/voltage_spool.hpp"
 #include "hydraulics/plant/excavator_record.hpp"
 #include "hydraulics/plant/excavator_values.hpp"
 #include "identification/offset_calibration.hpp"
@@ -40,6 +41,21 @@ TEST_CASE("steady motion gives the spool's offset at every noise level") {
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         squares += std::pow(calibrate(steady_record(0.01, mid_noise, seed))->offset_in - 0.01, 2);
     CHECK(std::sqrt(squares / 20) < 3e-4); // .00008 in in an independent prototype; the end of the transient adds to it
+}
+
+TEST_CASE("the position by the voltage is calibrated without the spool's readings") {
+    LinkCalibrations by_voltage = boom_calibrations(single_boom_mechanics());
+    by_voltage[index_of(Link::boom)].from = AreasFrom::servo;
+    for (double of_voltage : {-0.01, 0.0, 0.01}) {
+        Record record = steady_record(0, no_noise);
+        for (double spool_in : record.of(Link::boom, Sensor::spool))
+            record.of(Link::boom, Sensor::servo).push_back(servo_volts(spool_in + of_voltage));
+        for (double& spool_in : record.of(Link::boom, Sensor::spool))
+            spool_in += 0.02;
+        const auto found = calibrate_spool_offset(record, by_voltage, fitted_flow_constants());
+        CHECK(std::abs(found->offset_in - of_voltage) < 2e-4);
+        CHECK(std::abs(calibrate(record)->offset_in - 0.02) < 2e-4);
+    }
 }
 
 TEST_CASE("the calibration mistakes a wrong k or Q for an offset") {

@@ -223,7 +223,7 @@ TEST_CASE("a board that does not follow the protocol is reported") {
           "iserver can be served");
     CHECK(host.failure("boot", [](FakeBoard& board) {
         board.send({40, 0, 13}), board.receive(1);
-    }) == "board: the board stopped within request 1: 39 more bytes were expected");
+    }) == "board: the board stopped within request 1: the number of missing bytes is 39");
 }
 
 TEST_CASE("a board that takes no bytes is reported") {

@@ -140,6 +140,18 @@ TEST_CASE("the end of a terminal's input is met where lines are read") {
     CHECK_FALSE(console.wait_for_key());
 }
 
+TEST_CASE("the end of a line of a pipe is the return key, or the end of a line, as the program asks") {
+    std::array<int, 2> ends{};
+    REQUIRE(::pipe(ends.data()) == 0);
+    const OpenFile reader(ends[0]), writer(ends[1]);
+    Console console(not_interrupted, reader.descriptor());
+    CHECK(::write(writer.descriptor(), "a\n\nb\n", 6) == 6);
+    CHECK(console.wait_for_key() == 'a');
+    CHECK(console.wait_for_key() == '\r');
+    CHECK(console.pressed_key() == '\r');
+    CHECK(console.line() == "b\n");
+}
+
 TEST_CASE("keys and lines also come from a pipe, until its end") {
     std::array<int, 2> ends{};
     REQUIRE(::pipe(ends.data()) == 0);

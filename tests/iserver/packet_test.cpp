@@ -89,7 +89,7 @@ TEST_CASE("a length that no packet has is refused") {
     CHECK(refusal_of({7, 0}) == "request 1 to the host has the length 7; a length must be even, and from 6 to 510");
     CHECK(refusal_of({0, 2}) ==
           "request 1 to the host has the length 512; a length must be even, and from 6 to 510: the host "
-          "serves version 1.0 of the protocol, which has no longer requests");
+          "serves version 1.0 of the protocol, which has no requests of this length");
     CHECK(refusal_of({0, 4}) == "request 1 to the host has the length 1024; a length must be even, and from 6 to 510");
     CHECK(refusal_of({6, 0, 1, 2, 3, 4, 5, 6, 4, 0, 9}) ==
           "request 2 to the host has the length 4; a length must be even, and from 6 to 510");

@@ -306,11 +306,12 @@ TEST_CASE("the command line comes without and with the server's own options") {
     CHECK(text_of(program.reply(Request(40).byte(0))) == "10 20");
     CHECK(text_of(program.reply(Request(40).byte(1))) == "run x.btl -- 10 20");
     CHECK_THROWS_WITH_AS(ServedProgram({.command_line = std::string(508, 'x')}),
-                         "the program's command line has 508 bytes; a reply of the host's server can hold 507",
+                         "the program's command line has 508 bytes; a reply of the host's server can hold at most 507",
                          UserError);
     CHECK_THROWS_WITH_AS(
         ServedProgram({.environment = {{"LONG", std::string(600, 'x')}}}),
-        "the value of \"LONG\" in the environment has 600 bytes; a reply of the host's server can hold 507", UserError);
+        "the value of \"LONG\" in the environment has 600 bytes; a reply of the host's server can hold at most 507",
+        UserError);
 }
 
 TEST_CASE("memory that was read before the boot is returned in parts") {

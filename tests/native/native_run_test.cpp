@@ -82,6 +82,20 @@ TEST_CASE("a token goes round a ring, whatever the number of threads") {
     }
 }
 
+TEST_CASE("the messages between threads are counted, with the bytes that links would carry") {
+    const auto relay = kind_of("relay", [](ProcessEnvironment& environment) { test::relay_token(environment, 100); });
+    const auto sent = [&](std::size_t threads) {
+        std::string text;
+        for (const MessagesBetween& each : run_on(threads, test::ring_of(5, "relay"), {relay}).messages)
+            text += fmt::format("{} > {}: {}, {}; ", each.from, each.to, each.messages, each.bytes);
+        return text;
+    };
+    CHECK(sent(1) == "");
+    CHECK(sent(2) == "thread 0 > thread 1: 200, 800; thread 1 > thread 0: 200, 800; ");
+    CHECK(sent(5) == "thread 0 > thread 1: 100, 400; thread 1 > thread 2: 100, 400; thread 2 > thread 3: 100, 400; "
+                     "thread 3 > thread 4: 100, 400; thread 4 > thread 0: 100, 400; ");
+}
+
 TEST_CASE("a deadlock over threads is found at once, and reported as that of a simulated run") {
     const auto sender = kind_of("sender", [](ProcessEnvironment& environment) {
         environment.output<int>("out").output(1);

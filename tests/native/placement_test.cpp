@@ -142,8 +142,9 @@ TEST_CASE("more ranks than processors with processes are refused with the number
     const Network empty = *read_netlist_text("T800 t;", catalogue, {}).network;
     CHECK_THROWS_WITH_AS(
         require_enough_nodes(empty, 2),
-        doctest::Contains("no processor has a process, so 2 ranks have nothing to share: start it without mpirun, "
-                          "or predict it without --ranks"),
+        doctest::Contains(
+            "no processor has a process, so 2 ranks have nothing to share: run the netlist without mpirun, "
+            "or predict it without --ranks"),
         UserError);
 }
 

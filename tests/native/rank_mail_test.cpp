@@ -75,7 +75,7 @@ constexpr std::uint8_t of_a_process = 0; // the kind of a letter with a message
 TEST_CASE("a damaged letter ends the program, with the ranks and what is wrong") {
     const std::pair<std::function<void(Letter&)>, std::string> damages[] = {
         {[](Letter& letter) { letter.clear(); }, "received a damaged message of 0 bytes from rank"},
-        {[](Letter& letter) { letter[0] = 200; }, "messages of this kind do not exist"},
+        {[](Letter& letter) { letter[0] = 200; }, "its kind of message does not exist"},
         {[](Letter& letter) { letter[0] == of_a_process ? letter.resize(3) : void(); },
          "damaged message of 3 bytes from rank"},
         {[](Letter& letter) { letter[0] == of_a_process ? void(letter[2] = 77) : void(); },
@@ -92,6 +92,6 @@ TEST_CASE("a message that was cut off on the way ends the run, and names the pro
     const auto relay = rank_kind("relay", [](ProcessEnvironment& environment) { relay_token(environment, 10); });
     const auto cut = [](Letter& letter) { letter[0] == of_a_process ? letter.resize(7) : void(); };
     const std::string what = what_was_thrown(on_ranks(2, ring_of(2, "relay"), {relay}, {.damage = cut}));
-    CHECK_MESSAGE(what.find("a message that is cut off") != std::string::npos, what);
+    CHECK_MESSAGE(what.find("the message is cut off") != std::string::npos, what);
     CHECK_MESSAGE(what.find("process p[") != std::string::npos, what);
 }

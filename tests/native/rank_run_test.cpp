@@ -35,6 +35,15 @@ TEST_CASE("a token goes round a ring, whatever the number of ranks") {
         CHECK(run.report->measured("p[4]", "token") == 5 * rounds - 1);
         CHECK(run.report->processors.size() == static_cast<std::size_t>(ranks));
         CHECK(run.report->processors.back().name == fmt::format("rank {}", ranks - 1));
+        for (const MessagesBetween& each : run.report->messages)
+            CHECK(each.bytes == 4 * each.messages);
+        const auto& sent = run.report->messages;
+        CHECK(std::accumulate(sent.begin(), sent.end(), std::uint64_t{0},
+                              [](std::uint64_t sum, const auto& each) { return sum + each.messages; }) ==
+              (ranks == 1   ? 0
+               : ranks == 2 ? 4
+                            : 5) *
+                  rounds);
         CHECK(run.notes.size() == 2 * static_cast<std::size_t>(ranks - 1));
         for (std::size_t i = 0; i < run.notes.size(); ++i) // those of one rank are in order
             CHECK(std::ranges::count_if(run.notes.begin(), run.notes.begin() + static_cast<std::ptrdiff_t>(i),

@@ -351,7 +351,7 @@ TEST_CASE("a time-out on a channel that cannot be given up is refused with the r
         return render(read_netlist_text(text, csp()));
     };
     std::string message = refused(routed_streams(""));
-    CHECK(message.find("the channel \"p[0].out -> q[0].in\" travels in packets, which routers carry to their end, so "
+    CHECK(message.find("the channel \"p[0].out -> q[0].in\" is carried in packets, which cannot be taken back, so "
                        "its process cannot give up a packet") != std::string::npos);
     CHECK(message.find("hint: a time-out needs a channel between processes on one processor, or a channel placed alone "
                        "on a link") != std::string::npos);

@@ -144,7 +144,7 @@ TEST_CASE("one message names all programs that are unknown and all edges that ha
     CHECK(said.starts_with(
         "m.cfs: error: the netlist can be shown, but not run: 3 programs are unknown, and 2 edges "
         "have no process\n"
-        "hint: --use m.lku=KIND runs a kind instead of the program; the command kinds lists the kinds; use "
+        "hint: --use m.lku=KIND runs a kind instead of the program; the command \"kinds\" lists the kinds; use "
         "\"KIND\" for t;; place NAME on far; places a process at the edge\n"));
     for (const char* note :
          {"note: no program is given to t\n", "note: \"m.lku\" is the program of m\n",

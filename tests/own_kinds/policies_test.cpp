@@ -237,7 +237,9 @@ TEST_CASE("a policy that cannot be added is refused with the reason") {
     CHECK(refusal_of([] { Topology::add<Taken>(); }) == "this program adds a policy \"ring\" for topology, but this "
                                                         "name is taken: choose another name, such as \"own.ring\"");
     CHECK(refusal_of([] { Topology::add<NumberedRing>(); }).find("this name is taken") != std::string::npos);
-    CHECK(refusal_of([] { Topology::add<Loud>(); }).ends_with("but a name is made of a to z, 0 to 9, \".\" and \"-\""));
+    CHECK(refusal_of([] {
+              Topology::add<Loud>();
+          }).ends_with("but a name may contain only a to z, 0 to 9, \".\" and \"-\""));
     CHECK(refusal_of([] { Topology::add<Unset>(); }).find("but share = 0 is out of range") != std::string::npos);
 }
 

@@ -141,7 +141,7 @@ TEST_CASE("what does not fit on a ring is refused in its own words") {
     CHECK(refusal_of(ring + "connect b.bus[0] to r.slot[9];") == "the subscript 9 is outside of \"slot\"");
     CHECK(refusal_of(ring + "process p; place p on r;") == "\"r\" is a ring: no process can be placed on it");
     CHECK(refusal_of(ring + "process (interface (output out)) p; place p.out on r;") ==
-          "\"r\" is a ring, on which a channel cannot be placed as a whole");
+          "\"r\" is a ring: a channel cannot be placed on the whole device");
     CHECK(refusal_of(ring + "fault r hogged;") == "a ring has no fault \"hogged\"");
 }
 

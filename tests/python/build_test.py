@@ -135,7 +135,7 @@ class Built(unittest.TestCase):
         q = net.process("q", Sum, on=a)
         for message, wrong in (("'p' is used twice", lambda: net.process("p", Numbers, on=a)),
                                ("letters, digits", lambda: net.process("1p", Numbers, on=a)),
-                               ("a link of a processor on which p.out or q.inp is",
+                               ("a link of the processor of p.out or of q.inp",
                                 lambda: net.connect(p.out, q.inp, link=b.link[0])),
                                ("loaded takes no more statements", lambda: pp.load(NETLIST, [Numbers, Relay, Sum]).processor("T800"))):
             with self.assertRaisesRegex(pp.Error, message):

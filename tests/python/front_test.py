@@ -114,7 +114,7 @@ class Fronts(unittest.TestCase):
         expected = pp.search_front(srn, SRN_BOX, **settings)
         for problem in (Pymoo(True), Pymoo(False), Pygmo()):
             self.same(pp.search_front(problem, **settings), expected)
-            with self.assertRaisesRegex(pp.Error, r"this problem has 2: search_front\(\) searches"):
+            with self.assertRaisesRegex(pp.Error, r"this problem has 2: use search_front"):
                 pp.search(problem)
 
     def test_equations_of_problem_objects_have_a_tolerance(self):
@@ -187,13 +187,13 @@ class Fronts(unittest.TestCase):
                 (r"the constraints of .* have the shape \(3,\)", lambda rows: (rows, [1, 2, 3])),
                 (r"have the shape \(200, 0\)", lambda rows: rows[:, :0]),
                 (r"have the shape \(\)", lambda rows: 5),
-                ("a tuple of 3, expected an array of objectives, or a tuple", lambda rows: (rows, rows, rows)),
+                ("a tuple of length 3, expected an array of objectives, or a tuple", lambda rows: (rows, rows, rows)),
                 ("the objectives must be numbers", lambda rows: ["one"] * len(rows)),
                 ("1 objectives and 0 constraints for each individual, but 2 and 0 in its first call", changes)):
             with self.assertRaisesRegex(pp.Error, message):
                 pp.search_front(function, SRN_BOX, generations=5)
         for message, settings in (("population is 'x', expected a whole number", {"population": "x"}),
-                                  ("bits is .*, expected a list, of which each element", {"bits": [1.5, 2]}),
+                                  ("bits is .*, expected a list in which each element", {"bits": [1.5, 2]}),
                                   ("maximise is 'x', expected True or False", {"maximise": "x"})):
             with self.assertRaisesRegex(TypeError, message):
                 pp.search_front(zdt1, SRN_BOX, **settings)

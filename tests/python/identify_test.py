@@ -122,7 +122,7 @@ class Identify(unittest.TestCase):
         self.assertIn('row r7, column "boom.angle [deg]": "x" is not a finite number', str(wrong))
         missing = self.refused(broken(float("nan"), "boom.spool [in]"))
         self.assertIn('row r7, column "boom.spool [in]": "nan" is not a reading', str(missing))
-        self.assertIn('missing="skip" leaves such rows out', str(missing))
+        self.assertIn('missing="skip" leaves out rows with missing readings', str(missing))
         late = self.refused(broken(0.01, "time [s]"))
         self.assertRegex(str(late), r'row r7, column "time \[s\]": the time is .* the time on row r6')
         unit = self.refused(lambda frame: frame.rename(columns={"boom.angle [deg]": "boom.angle [psi]"}))

@@ -160,6 +160,15 @@ class Searches(unittest.TestCase):
         with self.assertRaisesRegex(pp.Error, "several objectives has no fitness"):
             pp.search("zdt1", generations=2)
 
+    def test_bounds_may_be_an_array(self):
+        self.same(pp.search(sphere, numpy.array(BOX), generations=5), pp.search(sphere, BOX, generations=5))
+
+    def test_the_log_has_the_values_to_the_last_bit(self):
+        for seed in range(11, 15):
+            found = pp.search("rastrigin(dimensions = 5)", generations=30, population=30, elite=1, seed=seed)
+            rows = found.log.to_dict("records") if hasattr(found.log, "columns") else found.log
+            self.assertEqual([row["value"] for row in rows if row["quantity"] == "best_so_far"][-1], found.value)
+
     def test_progress_counts_the_generations_of_all_islands(self):
         told = []
         pp.search(sphere, BOX, islands=2, generations=5, population=10, progress=lambda *made: told.append(made))
@@ -169,6 +178,10 @@ class Searches(unittest.TestCase):
         for message, arguments in (
                 ("did you mean \"tournament\"", {"reproduction": "tournamnet"}),
                 ("one objective, but the function returned 10 for each individual: use search_front", {"problem": lambda rows: rows}),
+                ("there are 0 islands, expected at least 1", {"islands": 0}),
+                ("bounds are for a function", {"problem": "sphere"}),
+                ("maximise is for a function: the problem \"sphere\" states", {"problem": "sphere", "bounds": None, "maximise": True}),
+                ("bits is for a function", {"problem": "sphere", "bounds": None, "bits": 5}),
                 ("low", {"bounds": [(5, -5)]}), ("a torus of 4 islands cannot have 3 rows", {"topology": "torus(3)", "islands": 4}),
                 ("must be numbers", {"problem": lambda rows: ["one"] * len(rows)}),
                 ("but have the shape \\(60, 2\\)", {"problem": lambda rows: rows.reshape(-1)[:120].reshape(60, 2)}),
@@ -187,9 +200,10 @@ class Searches(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
         for message, wrong in (("islands is 'x', expected a whole number", {"islands": "x"}),
+                               ("bounds has \\(1, 2, 3\\), expected pairs", {"bounds": [(1, 2, 3)]}),
                                ("population is 1.5", {"population": 1.5}), ("coding is 5", {"coding": 5})):
             with self.assertRaisesRegex(TypeError, message):
-                pp.search(sphere, BOX, **wrong)
+                pp.search(sphere, **{"bounds": BOX, **wrong})
 
 
 if __name__ == "__main__":

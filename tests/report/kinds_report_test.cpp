@@ -38,8 +38,8 @@ TEST_CASE("a device is described by its attributes, with the model's values as d
     CHECK(print_kind(catalogue, "C004") ==
           "C004\nA crossbar switch: its crosspoints connect its links to each other. If "
           "its link `config` leads to a processor, a program sets the crosspoints during the run.\n"
-          "links: 32\nprocesses: a csp.switch_logic, to be set during the run by the "
-          "link config\n");
+          "links: 32\nprocesses: a csp.switch_logic, which the link config sets during the "
+          "run\n");
     CHECK(contains(print_kind(catalogue, "VME"), "PRI | RRS | SGL"));
     std::string any = print_kind(catalogue, "processor");
     CHECK(contains(any, "type                         string  must be given: one of\n"));

@@ -34,7 +34,7 @@ TEST_CASE("a problem is described by its string and its record") {
           "  blocks           int     default 10             1 .. 100000\n"
           "                               number of blocks in a string\n"
           "  size             int     default 5              2 .. 64\n"
-          "                               bits of a block\n");
+          "                               number of bits in a block\n");
     CHECK_THROWS_WITH_AS(print_problem(all_problems(), "nk(bits = 3, k = 5)"),
                          "k = 5, but each bit in a string of 3 bits has only 2 neighbours", UserError);
 }

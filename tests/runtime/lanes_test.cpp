@@ -78,7 +78,7 @@ TEST_CASE("functions of eight lanes give the bits of single doubles") {
 }
 
 TEST_CASE("a vector width that the processor does not have is refused") {
-    CHECK_THROWS_WITH_AS(use_vector_width(3), doctest::Contains("vectors of 3 doubles, expected 2, 4 or 8"),
+    CHECK_THROWS_WITH_AS(use_vector_width(3), doctest::Contains("a vector width of 3 doubles, expected 2, 4 or 8"),
                          std::invalid_argument);
     CHECK_THROWS_AS(use_vector_width(16), std::invalid_argument);
     CHECK(vector_width() == widest_vector_width());

@@ -27,7 +27,7 @@ using std::chrono::microseconds;
 
 namespace {
 
-constexpr const char* no_process = "only a process of a simulation that runs can communicate, compute or wait";
+constexpr const char* no_process = "only a process of a running simulation can communicate, compute or wait";
 
 constexpr const char* used_up =
     " has used up its stack of 256 Kbyte: it calls itself without end, or has large arrays, "
@@ -201,10 +201,11 @@ TEST_CASE("an end of a channel has one owner, and other users are refused") {
     Channel<int> c("c"), go("go");
     SUBCASE("an end that two processes declare") {
         simulation.process("first", {c.out()}, [] {});
-        CHECK_THROWS_WITH_AS(simulation.process("second", {c.in(), c.out()}, [] {}),
-                             "process second outputs to channel c, and so does process first: a channel has one "
-                             "outputting and one inputting process",
-                             std::logic_error);
+        CHECK_THROWS_WITH_AS(
+            simulation.process("second", {c.in(), c.out()}, [] {}),
+            "process second outputs to channel c, but this end belongs to process first: a channel has one "
+            "outputting and one inputting process",
+            std::logic_error);
     }
     SUBCASE("an end that another process has declared") {
         simulation.process("first", {c.in()}, [] {});
@@ -215,29 +216,32 @@ TEST_CASE("an end of a channel has one owner, and other users are refused") {
         simulation.process("first", [&] { c.out().output(1), go.out().output(1); });
         simulation.process("second", [&] { go.in().input(), c.out().output(2); });
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
-        CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process second outputs to channel c, and so does process first: a channel has one "
-                             "outputting and one inputting process",
-                             std::logic_error);
+        CHECK_THROWS_WITH_AS(
+            simulation.run(),
+            "process second outputs to channel c, but this end belongs to process first: a channel has one "
+            "outputting and one inputting process",
+            std::logic_error);
     }
     SUBCASE("an alternation beside an inputter") {
         simulation.process("first", [&] { c.in().input(), go.out().output(1); });
         simulation.process("second", [&] { go.in().input(), alt(on(c.in(), [](int) {})); });
         simulation.process("outputter", [&] { c.out().output(1), c.out().output(2); });
-        CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process second inputs from channel c, and so does process first: a channel has one "
-                             "outputting and one inputting process",
-                             std::logic_error);
+        CHECK_THROWS_WITH_AS(
+            simulation.run(),
+            "process second inputs from channel c, but this end belongs to process first: a channel has one "
+            "outputting and one inputting process",
+            std::logic_error);
     }
     SUBCASE("two components of a PAR in turn") {
         simulation.process("p", [&] {
             par([&] { c.out().output(1), go.out().output(1); }, [&] { go.in().input(), c.out().output(2); });
         });
         simulation.process("inputter", [&] { c.in().input(), c.in().input(); });
-        CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process p/1 outputs to channel c, and so does another component of a PAR: a channel "
-                             "has one outputting and one inputting process",
-                             std::logic_error);
+        CHECK_THROWS_WITH_AS(
+            simulation.run(),
+            "process p/1 outputs to channel c, but this end belongs to another component of a PAR: a channel "
+            "has one outputting and one inputting process",
+            std::logic_error);
     }
     SUBCASE("a process and the components of its PARs, one after the other") {
         simulation.process("p", [&] {
@@ -263,10 +267,11 @@ TEST_CASE("a component of a PAR may not use an end while a process of another co
             par([&] { wait_for(std::chrono::microseconds{20}), c.out().output(1); },
                 [&] { par([&] { c.out().output(2); }, [] {}); });
         });
-        CHECK_THROWS_WITH_AS(simulation.run(),
-                             "process p/0 outputs to channel c, and so does another component of a PAR: a channel "
-                             "has one outputting and one inputting process",
-                             std::logic_error);
+        CHECK_THROWS_WITH_AS(
+            simulation.run(),
+            "process p/0 outputs to channel c, but this end belongs to another component of a PAR: a channel "
+            "has one outputting and one inputting process",
+            std::logic_error);
     }
     SUBCASE("its message has gone, but it has not had its turn") {
         Channel<int> a("a");

@@ -96,9 +96,9 @@ TEST_CASE("bytes that are no message are refused") {
         CHECK_THROWS_AS(unpack<PackedLetter>(std::span(whole).first(length)), NoMessage);
     MessageBytes longer = whole;
     longer.push_back(0);
-    CHECK_THROWS_WITH_AS(unpack<PackedLetter>(longer), "a message that is followed by further bytes", NoMessage);
+    CHECK_THROWS_WITH_AS(unpack<PackedLetter>(longer), "further bytes follow the end of the message", NoMessage);
     CHECK_THROWS_WITH_AS(unpack<std::vector<int>>(MessageBytes{255, 255, 255, 255, 255, 255, 255, 255}),
-                         "an array of 18446744073709551615 elements", NoMessage);
+                         "an array of 18446744073709551615 elements is longer than the message", NoMessage);
     using Either = std::variant<int, std::string>;
     CHECK_THROWS_AS(unpack<Either>(MessageBytes{2, 0, 0, 0, 0}), NoMessage);
 }

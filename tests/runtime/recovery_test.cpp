@@ -138,10 +138,10 @@ TEST_CASE("attempts are refused on channels that do not have a link of their own
     auto& routed = simulation.add<hardware::RouterLink>(link, a, b);
     Channel<int> c("c", simulation.add<hardware::Route>(std::vector<hardware::Hop>{{routed, true}}));
     simulation.process("outputs", [&] { output_or_fail(c.out(), 1, Time{1ms}); });
-    CHECK_THROWS_WITH_AS(
-        simulation.run(),
-        "channel c travels in packets, which routers carry to their end: it cannot give up a message, nor be reset",
-        std::logic_error);
+    CHECK_THROWS_WITH_AS(simulation.run(),
+                         "channel c travels in packets, which routers carry to their end: its messages cannot be given "
+                         "up, and its ends cannot be reset",
+                         std::logic_error);
 }
 
 TEST_CASE("an end can be reset only by its owner, and not while a process is in it") {
@@ -150,8 +150,9 @@ TEST_CASE("an end can be reset only by its owner, and not while a process is in 
     simulation.process("outputs", [&] { c.out().output(1); });
     simulation.process("inputs", [&] { wait_for(1us), c.in().input(); });
     simulation.process("resets", [&] { reset(c.out()); });
-    CHECK_THROWS_WITH_AS(simulation.run(),
-                         "process resets resets channel c, and so does process outputs: a channel has one outputting "
-                         "and one inputting process",
-                         std::logic_error);
+    CHECK_THROWS_WITH_AS(
+        simulation.run(),
+        "process resets resets channel c, but this end belongs to process outputs: a channel has one outputting "
+        "and one inputting process",
+        std::logic_error);
 }

@@ -114,8 +114,9 @@ TEST_CASE("a second user of an end is refused by name, also while the first wait
         } catch (const std::logic_error& error) {
             message = error.what();
         }
-        CHECK(message == "process second outputs to channel busy, and so does process first: a channel has one "
-                         "outputting and one inputting process");
+        CHECK(message ==
+              "process second outputs to channel busy, but this end belongs to process first: a channel has one "
+              "outputting and one inputting process");
     }
 }
 

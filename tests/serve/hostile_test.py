@@ -56,14 +56,14 @@ class Hostile(ServiceTest):
 
     def test_what_is_not_a_job_is_refused(self):
         good = {"do": "run", "main": "a.cfs", "files": {"a.cfs": ""}}
-        place = 'each file needs a string, and a name without ".." that does not begin with "/"'
-        for job, why in ((None, "it is not a JSON object"), ([], "it is not a JSON object"), ("x", "it is not a JSON object"), ({}, '"do" is missing'),
+        place = 'the text of each file must be a string, and its name must have no ".." and not begin with "/"'
+        for job, why in ((None, "it must be a JSON object"), ([], "it must be a JSON object"), ("x", "it must be a JSON object"), ({}, '"do" is missing'),
                          ({"do": "run"}, '"main" is missing'), ({"do": "run", "main": "a.cfs"}, '"files" is missing'),
-                         (good | {"do": "rm"}, '"do" is not check, run, explain, listing or exercise'),
-                         (good | {"main": "b.cfs"}, '"main" is not the name of one of the files'), (good | {"main": 1}, '"main" is not a string'),
-                         (good | {"files": 1}, '"files" is not an object'), (good | {"files": {"a.cfs": 1}}, place),
+                         (good | {"do": "rm"}, '"do" must be check, run, explain, listing or exercise'),
+                         (good | {"main": "b.cfs"}, '"main" must be the name of one of the files'), (good | {"main": 1}, '"main" must be a string'),
+                         (good | {"files": 1}, '"files" must be an object'), (good | {"files": {"a.cfs": 1}}, place),
                          (good | {"main": "../a.cfs", "files": {"../a.cfs": ""}}, place), (good | {"main": "/a.cfs", "files": {"/a.cfs": ""}}, place),
-                         (good | {"seed": "x"}, '"seed" is not a whole number'), (good | {"seed": 1.5}, '"seed" is not a whole number'),
+                         (good | {"seed": "x"}, '"seed" must be a whole number'), (good | {"seed": 1.5}, '"seed" must be a whole number'),
                          (good | {"files": good["files"] | {f"{i}.cfs": "" for i in range(30)}}, "the job has more than 20 files")):
             status, _, text = self.service.post(job)
             self.assertEqual((status, text), (400, f"the request is not a job: {why}\n"), job)

@@ -114,7 +114,7 @@ class Jobs(ServiceTest):
         os.kill(int(process), signal.SIGSEGV)
         answer = page.makefile("rb").read(1 << 16)
         self.assertIn(b'"ended":"failed"', answer)
-        self.assertIn(b"the run has crashed; this is a defect of PlacedPar", answer)
+        self.assertIn(b"the run has crashed: either it needed more memory", answer)
         self.assertEqual(service.answer("run", COMMSTIME)["ended"], "completed")
 
     def test_at_most_a_hundred_jobs_of_one_address_wait(self):

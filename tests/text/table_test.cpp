@@ -96,8 +96,8 @@ TEST_CASE("an empty text is an empty table") {
 }
 
 TEST_CASE("a wrong row is reported") {
-    CHECK(only_fault("a,b\n1,2\n1,2,3\n") == "3:5: 3 values, expected 2");
-    CHECK(only_fault("a,b\n1\n") == "2:1: 1 values, expected 2");
+    CHECK(only_fault("a,b\n1,2\n1,2,3\n") == "3:5: the row has the wrong number of values: 3, expected 2");
+    CHECK(only_fault("a,b\n1\n") == "2:1: the row has the wrong number of values: 1, expected 2");
     CHECK(only_fault("a,b\n1,\"2\n3,4\n") == "2:3: a quoted value has no closing quote");
     CHECK(only_fault("a,b\r1,2\r") == "1:4: the line has a carriage return before its end");
     CHECK(only_fault("time [s];boom.spool [in]\n0,1;0,2\n") == "1:9: the columns are separated by semicolons");
@@ -116,7 +116,7 @@ TEST_CASE("cells are read as numbers") {
     }
     std::string message;
     number("", &message);
-    CHECK(message == "no value");
+    CHECK(message == "the value is missing");
     number("1e999", &message);
     CHECK(message == "\"1e999\" is beyond the range of numbers");
     CHECK(number("-1e-999") == 0); // too near to 0 for a double

@@ -5,7 +5,7 @@ usage: tidy.py TREE
 
 Sources have at most 500 lines, functions at most 50 in rooms and 70 elsewhere; nothing is left unfinished or names a
 path of one machine. What includes what: walls.py. What is defined twice: definitions.py. Plain English: english.py.
-Rooms as a whole: house.py.
+Rooms as a whole: house.py. Studies that select tests: studies.py.
 """
 
 import pathlib
@@ -16,6 +16,7 @@ import definitions
 import english
 import functions
 import house
+import studies
 import tree
 import walls
 
@@ -96,7 +97,8 @@ def main(top):
     texts = dict(read(top, names))
     rooms = house.read(texts)
     found = [fault for name, text in texts.items() for fault in faults(name, text)]
-    found += [*definitions.faults(texts), *english.house_faults(texts), *rooms.faults(names)]
+    found += [*definitions.faults(texts), *english.house_faults(texts), *studies.faults(texts),
+              *rooms.faults(names)]
     print("\n".join([rooms.line_of(room) for room in sorted(rooms.lines)] + found))
     print(f"{len(names)} files, {len(found)} faults")
     return 1 if found or not names else 0

@@ -30,7 +30,7 @@ constexpr const char* head_of_wires =
 using picture::SvgPen;
 using Position = picture::Point;
 
-/// A box with its lines of text. Wires end at the middle of its left side and begin at the middle of its right side.
+/// A box with lines of text. Wires end at the middle of the box's left side and begin at the middle of its right side.
 struct Block {
     Position at; ///< top left
     double width;
@@ -46,7 +46,7 @@ struct Block {
 Block add(SvgPen& pen, const Block& block) {
     pen.rect({{block.at.x + block.width / 2, block.at.y + block_height / 2}, block.width, block_height},
              {{"class", block.plant ? "block plant" : "block"}, {"rx", "4"}});
-    // The baseline of the first line, such that all lines are centred.
+    // `y` is the baseline of the first line. It is chosen such that all lines together are centred in the box.
     double y = block.at.y + block_height / 2 + 5 - (static_cast<int>(block.lines.size()) - 1) * line_height / 2;
     for (std::string_view line : block.lines) {
         pen.text({block.at.x + block.width / 2, y}, "inside", line);
@@ -55,8 +55,8 @@ Block add(SvgPen& pen, const Block& block) {
     return block;
 }
 
-/// Draws a wire through the corners, with an arrow at its end. The signal's name is above the segment that begins at
-/// corner number `named_at`.
+/// Draws a wire through the corners, with an arrow at its end. The name of the signal is drawn above the segment that
+/// begins at the corner with the index `named_at`.
 void wire(SvgPen& pen, const std::vector<Position>& corners, std::string_view signal = "", std::size_t named_at = 0) {
     pen.path(picture::svg_corners(corners), {{"class", "wire"}});
     if (!signal.empty())

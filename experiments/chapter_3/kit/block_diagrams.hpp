@@ -4,12 +4,14 @@
 
 namespace placedpar {
 
-/// These functions draw block diagrams after the thesis's text, as SVG. Each call returns the same bytes.
+/// These functions draw block diagrams as SVG, following the text of the thesis. Every call of a function returns the
+/// same bytes.
 
-/// Draws Figure 3.4: how the genetic algorithm gets its input from the pressure, the angle, and the spool or the
-/// voltage.
+/// Draws Figure 3.4: how the input of the genetic algorithm is computed from the pressure, the angle, and the spool or
+/// the voltage.
 std::string draw_figure_3_4();
-/// Draws Figure 3.7: the excavator, the identification from one motion, and the simulator driven by another motion.
+/// Draws Figure 3.7: the excavator, the identification from one motion, and the simulator that checks its result with
+/// another motion.
 std::string draw_figure_3_7();
 
 } // namespace placedpar

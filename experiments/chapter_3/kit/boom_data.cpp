@@ -40,8 +40,8 @@ Parameters parameters_of(const BoomMotion& motion) {
     return all;
 }
 
-/// Adds the drain side's pressure at the record's instants. Its noise has its own stream, so the noise of the other
-/// channels is the same with and without this channel.
+/// Adds the drain side's pressure at the record's instants. The noise of this pressure has its own random stream, so
+/// the noise of the other channels does not change when this channel is added.
 void add_outlet_pressure(Record& record, std::span<const ExcavatorState> states, double noise_psi, std::uint64_t seed) {
     RandomStream random(seed, "outlet sensor");
     std::size_t stride = (states.size() - 1) / (record.size() - 1);

@@ -24,34 +24,35 @@ struct BoomData {
     hydraulics::LinkMechanics boom; ///< the true values
 };
 
-/// A step of the boom to 4 deg/s. The constants of the machine come from `excavator.csv`, except for the values set
-/// here. A spool offset does not change the motion. The controller uses A.1, which has the same error as the readings,
-/// so the voltage still moves the spool to the right place.
+/// A step of the boom's velocity to 4 deg/s. The constants of the machine come from `excavator.csv`, except for the
+/// values set here. A spool offset does not change the motion: the controller computes the voltage by equation A.1,
+/// which has the same error as the readings, so the spool still moves to the intended position.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;
-    double spool_offset_in = 0; ///< error of the spool's readings and of A.1; positive: too high
+    double spool_offset_in = 0; ///< error of the spool's readings and of equation A.1; positive: too high
     std::optional<double> inlet_compliance_in3_per_psi = {}, spool_desired_in = {}, duration_s = {};
-    bool slow = false; ///< scenario B, with a heavier load and a ramp; only for the simple plant
+    bool slow = false; ///< whether to run scenario B, which has a heavier load and a ramp; only for the simple plant
 };
 
-/// Simulates the motion once, and measures it for each seed with the noise of the streams (seed, "sensors").
+/// Simulates the motion once, then measures it once for each seed. The noise comes from the random stream of the seed
+/// with the name "sensors".
 std::vector<BoomData> measure(const BoomMotion& motion, std::span<const std::uint64_t> seeds);
 BoomData measure(const BoomMotion& motion, std::uint64_t seed);
 
-/// The source of the valve's areas, and the model's assumptions about this source.
+/// The source from which the model takes the areas of the valve's orifices, and its assumptions about this source.
 struct BoomModel {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
     double spool_lag_per_s = 0; ///< a_0 of equation A.2
-    double spool_offset_in = 0; ///< subtracted from the spool that the readings or A.1 give
+    double spool_offset_in = 0; ///< subtracted from the spool position that the readings or equation A.1 give
 };
 /// Returns a model with the machine's true lag and no offset.
 BoomModel model_of(const BoomData&, hydraulics::AreasFrom);
 
 hydraulics::LinkCalibrations calibrations_of(const BoomData&, const BoomModel&);
-/// Returns a sample for every instant at which the slopes are known.
+/// Returns a sample for every instant at which the slopes of pressure and angle are known.
 std::vector<hydraulics::CircuitSample> samples_of(const BoomData&, const BoomModel&);
-/// Returns the spool position by the model at every instant of the record, with the offset subtracted.
+/// Returns the spool position that the model gives at every instant of the record, with the offset subtracted.
 std::vector<double> spool_of(const BoomData&, const BoomModel&);
 
 } // namespace placedpar

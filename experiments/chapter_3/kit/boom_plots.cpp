@@ -13,7 +13,7 @@ using namespace identification;
 
 namespace {
 
-/// Returns a series in which each value is held until the next.
+/// Returns a step curve in which each value is held until the next value.
 Series held(Series series) {
     std::vector<Point> corners;
     for (const Point& point : series.points) {
@@ -74,7 +74,8 @@ Panel compliance_panel(const WatchedIdentification& watched, double until_s) {
             {{"true", 1000 * watched.data.boom.inlet_compliance_in3_per_psi}}};
 }
 
-/// Returns the error of the equations at every instant with an open inlet, if the compliance is the last answer.
+/// Returns the error of the equations at every instant at which the inlet is open. The compliance is the search's last
+/// answer.
 Series error_of_answer(const WatchedIdentification& watched, double until_s) {
     Series series{"last answer", {}};
     const Circuit circuit = boom_circuit();

@@ -14,7 +14,8 @@ struct BoomIdentified {
     std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
     identification::Identified found;
     double compliance_in3_per_psi;       ///< the search's answer
-    std::optional<double> least_squares; ///< over all usable samples; may be negative, as the thesis's first value was
+    std::optional<double> least_squares; ///< compliance fitted to all usable samples; may be negative, like the first
+                                         ///< value in the thesis
     bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
 };
 

@@ -45,7 +45,7 @@ Record record_of(const PlantFault& fault, const RecordSource& source, std::uint6
 }
 
 SearchRun search_faulty(const Record& record, AreasFrom from, std::uint64_t seed) {
-    IdentificationWay way = rising_way(); // with an engineer's improvements
+    IdentificationWay way = rising_way(); // Gray code and an elite, as an engineer would choose
     way.coding = Coding::gray;
     way.search.elite = 1;
     way.usable.skipped = 2;

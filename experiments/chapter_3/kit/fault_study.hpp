@@ -21,8 +21,8 @@ struct PlantFault {
 
 PlantFault no_fault();
 PlantFault doubled_compliance();
-/// Returns a leak k_l across the boom's piston that begins when the valve of scenario A opens. `name` should state the
-/// leak's flow as a share of the steady 50 in^3/s.
+/// Returns a leak with the coefficient k_l across the boom's piston. The leak begins when the valve of scenario A
+/// opens. `name` should state the leak's flow as a share of the steady flow of 50 in^3/s.
 PlantFault leak_of(const char* name, double leak_in3_per_s_psi);
 /// Returns a drift of the servo-valve: its spool moves as if the voltage were higher by `bias_v`.
 PlantFault drift_of(double bias_v);
@@ -36,20 +36,21 @@ struct RecordSource {
 
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
-/// Runs one search over the samples in which the pressure rises, with Gray code, one elite individual, and the first
-/// two samples left out. The search does not know the fault: it assumes the parameters of `excavator.csv`.
+/// Runs one search with Gray code and one elite individual. The search uses the samples in which the pressure rises,
+/// except the first two of these samples. The search does not know the fault: it assumes the parameters of
+/// `excavator.csv`.
 identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
                                         std::uint64_t seed);
 /// Returns the last answer of search_faulty(), in in^3/psi.
 double identified(const hydraulics::Record& record, hydraulics::AreasFrom from, std::uint64_t seed);
 
-/// Returns the compliance by least squares over the samples in which the pressure rises, in in^3/psi. Throws if there
-/// are too few samples.
+/// Returns the compliance in in^3/psi that least squares finds from the samples in which the pressure rises. Throws if
+/// there are too few such samples.
 double least_squares(const hydraulics::Record& record);
 
-/// Plots the compliance over time, estimated from the spool in one record with each fault. A second panel plots the
-/// last estimates from the spool and from the voltage over a drift of the servo-valve, as medians of 5 records.
-/// REQUIRES: at least 5 seeds.
+/// Plots the compliance over time, estimated from the spool in one record for each fault. A second panel plots the last
+/// estimates from the spool and from the voltage over the drift of the servo-valve, as medians of 5 records. REQUIRES:
+/// at least 5 seeds.
 Plot plot_of_faults(std::span<const PlantFault> faults, const RecordSource& source,
                     std::span<const std::uint64_t> seeds);
 

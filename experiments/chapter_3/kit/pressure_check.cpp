@@ -13,7 +13,7 @@ using namespace hydraulics;
 
 namespace {
 
-// The transient of scenario A lasts from .18 to .66 s; its first usable sample is at .20 s.
+// In scenario A, the transient lasts from .18 to .66 s, and the first usable sample is at .20 s.
 constexpr double before_s = 0.02, transient_s = 0.48;
 constexpr double simulation_step_s = 0.001;
 

@@ -6,19 +6,19 @@
 
 namespace placedpar {
 
-/// The cross-check of Figure 3.7: the pressure P_i that a compliance would have given in a recorded motion.
+/// The cross-check of Figure 3.7: the pressure P_i that is simulated with a given compliance for a recorded motion.
 struct PressureCheck {
     std::vector<double> time_s, measured_psi, simulated_psi;
-    double from_s, until_s; ///< limits of the transient: it begins 0.02 s before the first usable sample, and lasts
+    double from_s, until_s; ///< limits of the transient, which begins 0.02 s before the first usable sample and lasts
                             ///< 0.48 s
     double rms_psi;         ///< rms difference in the transient
     double rise_psi;        ///< rise of the measured pressure in the transient
     double peak_psi;        ///< peak of the simulated pressure in the transient
 };
 
-/// Simulates the pressure from the first sample that has slopes. The model gives the source of the spool position, and
-/// the offset that is subtracted from it. The velocity is computed from the measured angle. Throws UserError if the
-/// record has no usable sample, and whatever replay_pressure() throws.
+/// Simulates the pressure from the first sample that has slopes. The model says where the spool position comes from,
+/// and which offset is subtracted from the position. The velocity is computed from the measured angle. Throws UserError
+/// if the record has no usable sample. Also throws what replay_pressure() throws.
 PressureCheck check_pressure(const BoomData&, const BoomModel&, double compliance_in3_per_psi);
 
 } // namespace placedpar

@@ -24,7 +24,7 @@ PlantFault long_movement(const RecordSource& source) {
 
 namespace {
 
-/// Returns whether a sound machine has an alarm.
+/// Returns whether the diagnosis raises an alarm for a sound machine.
 bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     TestedMachine machine(source, from, seed);
     machine.move(long_movement(source), 1, 0);
@@ -37,8 +37,8 @@ bool accused(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     return accused || !machine.alarms().empty();
 }
 
-/// Returns whether a sound machine has an alarm. Then, for each fault: whether it is found, and whether it is named
-/// correctly or left undecided.
+/// Returns whether the diagnosis raises an alarm for a sound machine. Two figures follow for each fault: whether the
+/// fault is found, and whether it is named correctly or left undecided.
 Figures judge_at_rate(const RecordSource& source, AreasFrom from, bool with_faults, std::uint64_t seed) {
     Figures figures{static_cast<double>(accused(source, from, seed))};
     if (!with_faults)

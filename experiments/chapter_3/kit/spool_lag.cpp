@@ -19,19 +19,20 @@ std::optional<double> found_with(const BoomModel& model, const BoomData& data) {
 
 BoomModel with_lag(double lag_per_s) { return {AreasFrom::servo, lag_per_s, 0}; }
 
-/// Finds x from low to high at which the rising function `found(x)` equals the compliance.
+/// Returns the a_0 between `low` and `high` at which the rising function `found` equals the compliance.
 template <class Found>
 double solve(double compliance_in3_per_psi, double low, double high, double precision, Found found) {
     auto beyond = [&](double x) {
         auto value = found(x);
         if (!value)
-            throw UserError(fmt::format("no usable samples at {}", x));
+            throw UserError(fmt::format("no sample is usable with a_0 = {} 1/s", x));
         return *value - compliance_in3_per_psi;
     };
     if (beyond(low) > 0 || beyond(high) < 0)
-        throw UserError(fmt::format("no value from {} to {} makes the identification find {} in^3/psi", low, high,
+        throw UserError(fmt::format("no a_0 from {} to {} 1/s makes the identification find {} in^3/psi", low, high,
                                     compliance_in3_per_psi));
-    // The usable samples change with x, so the function has jumps, which bisection tolerates best.
+    // The set of usable samples changes with x, so the function has jumps. Of the root finders, bisection tolerates
+    // jumps best.
     auto [below, above] =
         boost::math::tools::bisect(beyond, low, high, [=](double a, double b) { return b - a < precision; });
     return (below + above) / 2;

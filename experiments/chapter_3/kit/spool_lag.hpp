@@ -7,11 +7,12 @@ namespace placedpar {
 
 /// These functions compute the effect of a wrong a_0 on experiment 2.
 
-/// Returns the a_0 with which least squares from the voltage gives this compliance, while the pressure rises. Throws
-/// UserError if no a_0 from .75 to 4 times the machine's own does.
+/// Returns the a_0 for which least squares gives this compliance. The fit uses the samples in which the pressure rises,
+/// with the spool computed from the voltage. Throws UserError if no a_0 from .75 to 4 times the machine's own a_0 gives
+/// this compliance.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// Plots the compliance over the assumed a_0 for each machine, with the thesis's two compliances.
+/// Plots the compliance over the assumed a_0 for each machine, and marks the two compliances that the thesis found.
 Panel panel_of_lag(std::span<const BoomData> machines);
 
 } // namespace placedpar

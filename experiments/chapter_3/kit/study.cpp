@@ -48,8 +48,8 @@ double error_in_si(const SiFlow& flow, const SiSample& sample, double compliance
     return flow.pump_m3_per_s - std::abs(inlet) - bypass_flow(k * sample.bypass_m2, junction_pa - flow.tank_pa);
 }
 
-/// Returns the best of all codes with all values in SI units. The equations hold in any units, but B has the unit of
-/// the flow squared and is converted.
+/// Returns the best of all codes, computed with all values in SI units. The equations hold in any units, but the
+/// bias of the fitness is converted, since its unit is the square of the flow's unit.
 double optimum_code_in_si(std::span<const CircuitSample> window, const FlowConstants& flow,
                           const IdentificationWay& way) {
     const SiFlow si_flow = in_si(flow);

@@ -11,10 +11,10 @@ namespace placedpar {
 
 /// The results of many searches on scenario A, each with its own noise and random numbers.
 struct SearchStudy {
-    std::vector<double> error_percent;      ///< relative error of the last estimate, without its sign
+    std::vector<double> error_percent;      ///< absolute value of the last estimate's relative error
     std::vector<double> codes_from_optimum; ///< difference between the code of the last estimate and the best code for
                                             ///< the last window
-    std::vector<double> si_codes;           ///< difference between the best code and the best code computed in SI units
+    std::vector<double> si_codes;           ///< difference between the best codes as computed in psi and in SI units
 
     double median_percent() const;
     double ninetieth_percent() const;

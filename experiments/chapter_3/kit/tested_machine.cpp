@@ -11,7 +11,7 @@ namespace {
 
 constexpr double pause_s = 2.5;
 
-/// Returns settings whose gate never opens, because verdicts need no search.
+/// Returns settings with a gate that never opens, so no search is made: verdicts need none.
 DiagnosisSettings without_searches() {
     DiagnosisSettings settings;
     settings.gate.slope_psi_per_s = std::numeric_limits<double>::infinity();
@@ -36,8 +36,8 @@ void TestedMachine::move(const PlantFault& fault, double compliance_factor, std:
     for (std::size_t i = 0; i < movement.size(); ++i)
         diagnosis_.take(digger_.sample(movement, i, next_s_));
     next_s_ += movement.time_s.back() + pause_s;
-    // The machine is at rest again. After a gap in the samples, the diagnosis ends an unfinished movement and judges
-    // it.
+    // The next sample has the machine at rest again. The gap in time before this sample makes the diagnosis end an
+    // unfinished movement and judge it.
     diagnosis_.take(digger_.sample(movement, 0, next_s_));
     next_s_ += pause_s;
 }

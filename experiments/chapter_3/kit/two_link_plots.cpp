@@ -9,8 +9,8 @@ using namespace identification;
 
 namespace {
 
-constexpr std::size_t states_a_point = 10; // of 1 ms each
-constexpr double transient_shown_s = 2;    // the rest is steady
+constexpr std::size_t states_a_point = 10; // a plotted point for every ten simulated states, which are 1 ms apart
+constexpr double transient_shown_s = 2;    // after this time the motion is steady
 
 using StateValue = double (*)(const ExcavatorState&);
 

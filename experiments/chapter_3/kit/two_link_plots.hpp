@@ -8,12 +8,12 @@ namespace placedpar {
 /// Draws Figure 3.9: all states of the simulated circuit over time.
 Plot plot_of_states(const TwoLinkMotion& motion);
 
-/// Draws Figure 3.10: the internal states computed from the best individuals, over the simulated states.
+/// Draws Figure 3.10: the internal states over time, as computed from the best individuals and as simulated.
 Plot plot_of_estimated_states(const TwoLinkMotion& motion, const identification::ComplianceSearch& prepared,
                               const identification::SearchRun& run);
 
-/// Draws Figure 3.11: the compliances estimated by the search without the gate (`plain`) and with it (`gated`), over
-/// the generations. Also draws the slopes of the pressures at the samples of `plain`.
+/// Draws Figure 3.11: the compliances over the generations, estimated by the search without the gate (`plain`) and by
+/// the search with the gate (`gated`). A third panel has the slopes of the pressures at the samples of `plain`.
 Plot plot_of_compliances(const identification::ComplianceSearch& prepared, const identification::SearchRun& plain,
                          const identification::SearchRun& gated, std::size_t trials);
 

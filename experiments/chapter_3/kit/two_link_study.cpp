@@ -60,7 +60,7 @@ std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const Measuremen
     return runs;
 }
 
-/// Returns the errors after this generation, or at the end of a shorter run.
+/// Returns the errors after this generation, or at the end of the run if the run has fewer generations.
 static TwoErrors errors_after(const SearchRun& run, std::size_t generation, std::size_t trials) {
     std::size_t estimate = std::min(generation / trials, run.estimates.size());
     return errors_of(run.estimates[estimate - 1].compliance_in3_per_psi);

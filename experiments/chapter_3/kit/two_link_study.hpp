@@ -33,24 +33,24 @@ struct TwoErrors {
 };
 TwoErrors errors_of(std::span<const double> compliance_in3_per_psi);
 
-/// Returns the settings of thesis 3.2 with two changes: there is one elite individual, and the first two samples after
-/// the valve opens are left out.
+/// Returns the settings of section 3.2 of the thesis with two changes: there is one elite individual, and the first two
+/// samples after the valve opens are left out.
 identification::IdentificationWay elite_way();
 /// Returns elite_way() with Gray code.
 identification::IdentificationWay gray_way();
 
-/// The number of simulated records, one for each search, of which a share must succeed. A share p has the standard
-/// deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
+/// The number of simulated records. Each record is searched once, and a given share of the searches must succeed. With
+/// 200 records, a share p has the standard deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
 inline constexpr std::size_t search_records = 200;
 
-/// Runs a search for each seed, with its own noise and random numbers.
+/// Runs a search for each seed. The seed determines the noise of the record and the random numbers of the search.
 std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way,
                                                    std::span<const std::uint64_t> seeds);
 
-/// Returns the percentage of searches in which both errors are within 10 % after the generation, or at the end of a
-/// shorter search.
+/// Returns the percentage of searches in which both errors are at most 10 % after this generation. A search with fewer
+/// generations is judged at its end.
 double both_within_ten_percent(std::span<const identification::SearchRun> runs, std::size_t generation,
                                std::size_t trials);
 
@@ -62,7 +62,7 @@ struct InternalStates {
     std::array<double, count> values() const { return {p11, p12, q11, q12, q_bucket, q_boom}; }
 };
 InternalStates true_states(const hydraulics::ExcavatorState& state);
-/// Returns the states computed from a sample and given compliances. The thesis records the states for the best
+/// Returns the states computed from a sample and the given compliances. The thesis records these states for the best
 /// individual (3.2, step 7).
 InternalStates estimated_states(const hydraulics::CircuitSample& sample, std::span<const double> compliance_in3_per_psi,
                                 const hydraulics::FlowConstants& flow);

@@ -79,7 +79,7 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
 
 namespace {
 
-/// Returns a judge in the present state of the machine's judge of the boom.
+/// Returns a copy of the judge that the machine's diagnosis has for the boom.
 LinkJudge judge_of(const TestedMachine& machine) {
     return LinkJudge(machine.diagnosis().state().watches.begin()->second.judges.back());
 }
@@ -93,15 +93,16 @@ std::uint64_t make_known(TestedMachine& machine) {
         machine.move(no_fault(), 1, number++);
     while (!judge_of(machine).baseline() && number < most);
     if (!judge_of(machine).baseline())
-        throw std::runtime_error(fmt::format("{} movements of a sound machine do not set its baseline", most));
+        throw std::runtime_error(
+            fmt::format("the diagnosis has no baseline after {} movements of a sound machine", most));
     return number;
 }
 
 namespace {
 
-/// Returns the expected logarithm of the likelihood ratio of two hypotheses, one unit of the fault and no fault, after
-/// `faulty_movements` movements. Assumes that these movements resemble the first movements, that the standard errors
-/// stated for them are right, and that the link has no other fault.
+/// Returns the expected logarithm of the likelihood ratio of two hypotheses, "one unit of the fault" and "no fault",
+/// after `faulty_movements` movements. Assumes that these movements are as informative as the first movements, that the
+/// standard errors stated for the first movements are right, and that the link has no other fault.
 double evidence_of(const LinkJudge& judge, LinkFault fault) {
     const WayVector unit = vector_of(unit_of(fault));
     double known = 0;
@@ -117,13 +118,13 @@ LinkFault fault_of(const TestedFault& fault) {
         return LinkFault::compliance;
     if (fault.called != AlarmKind::leak)
         return LinkFault::offset;
-    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak
-                                             : LinkFault::leak; // the second parameter is the leak's start
+    return fault.fault.parameters.size() > 1 ? LinkFault::new_leak : LinkFault::leak; // a second parameter is the time
+                                                                                      // at which the leak begins
 }
 
-/// Returns one machine's figures: the movements until a false alarm (0: none), and evidence_of() each of `all_faults`.
-/// Then, for each of tested_faults(): the movements until the fault is found (0: never), whether it is named correctly,
-/// and whether it is left undecided.
+/// Returns the figures of one machine. The first is the number of movements until a false alarm (0: no alarm). Then
+/// evidence_of() follows for each of `all_faults`. Then three figures follow for each of tested_faults(): the number of
+/// movements until the fault is found (0: never), whether it is named correctly, and whether it is left undecided.
 Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t seed) {
     const TestedMachine new_machine(source, from, seed);
     const TestedFault sound{no_fault(), 1, {}};
@@ -132,7 +133,7 @@ Figures judge_machine(const RecordSource& source, AreasFrom from, std::uint64_t 
     Figures figures{static_cast<double>(watch(known, sound, sound_movements, next).found_after)};
     for (LinkFault each : all_faults)
         figures.push_back(evidence_of(judge_of(known), each));
-    std::uint64_t number = next + sound_movements; // each fault has its own movements
+    std::uint64_t number = next + sound_movements; // the movements of each fault have other numbers, so they differ
     for (const TestedFault& fault : tested_faults(source, from)) {
         const Outcome outcome = watch(fault.from_first_day ? new_machine : known, fault, faulty_movements, ++number);
         figures.push_back(static_cast<double>(outcome.found_after));
@@ -151,15 +152,16 @@ std::size_t count(const std::vector<double>& values) {
 
 double sum(const std::vector<double>& values) { return std::accumulate(values.begin(), values.end(), 0.0); }
 
-/// The highest percentage of faults that any test can find. The 95 % interval is for the percentage over all machines;
-/// the simulated machines are a sample.
+/// The highest percentage of faults that any test can find, and its 95 % interval. The interval is needed because the
+/// simulated machines are a sample of all machines.
 struct Limit {
     double percent;
     Interval interval;
 };
 
-/// Returns the limit for a test that raises an alarm in 1 % of sound machines. The most powerful such test is the
-/// likelihood ratio (J. Neyman and E. Pearson, 1933); its logarithm is normal with a variance of twice its mean.
+/// Returns the limit for tests that raise an alarm for 1 % of the sound machines. The most powerful of these tests is
+/// the likelihood-ratio test (J. Neyman and E. Pearson, 1933). The logarithm of the ratio is normally distributed, and
+/// its variance is twice its mean.
 Limit limit_of(const TestedFault& fault, const std::vector<Figures>& machines) {
     if (fault.from_first_day)
         return {100, {100, 100}};

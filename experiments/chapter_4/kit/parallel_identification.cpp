@@ -43,7 +43,7 @@ constexpr RecordedBoom measured_boom{"measured machine, mid noise", BoomPlant::m
 enum BoomWay : std::size_t { ga_alone, pga_fittest, pga_first, boom_ways };
 constexpr std::array<const char*, boom_ways> names_of_boom_ways{"GA, 1 T800", "PGA, fittest", "PGA, master[0]"};
 
-/// One search, or several islands, after its run on a machine.
+/// A finished search on a machine, with one island or several.
 struct MachineSearch {
     ProcessSearch search;
     SearchAnswers answers;
@@ -77,8 +77,8 @@ BothSearches search_both(const ReplayContext& context, const BoomData& data, Are
             search_on(context, {}, prepared, seed)};
 }
 
-/// Returns what a search found: the answers of one island, or, if `island` is empty, of the island that is the fittest
-/// in each generation.
+/// Returns the result of a search. The answers are those of one island or, if `island` is empty, those of the fittest
+/// island in each generation.
 FoundInRecord found_by(const MachineSearch& run, std::optional<std::size_t> island, double truth) {
     const std::size_t trials = run.search.trials;
     auto answer = [&](std::size_t generation) {
@@ -137,7 +137,7 @@ void add_way(Comparison& comparison, const char* column, const std::vector<Found
 /// Returns a cell with the mean of paired differences and the 95 % interval of this mean.
 Cell difference_cell(std::string row, const std::string& column, std::string unit,
                      const std::vector<double>& differences, int decimals) {
-    constexpr double of_95_percent = 1.96; // deviations of a Gaussian mean
+    constexpr double of_95_percent = 1.96; // standard deviations of a Gaussian mean
     const double middle = mean(differences);
     const double half = of_95_percent * deviation(differences) / std::sqrt(static_cast<double>(differences.size()));
     Cell cell = plain_cell(std::move(row), column, std::move(unit), middle, decimals);
@@ -145,7 +145,7 @@ Cell difference_cell(std::string row, const std::string& column, std::string uni
     return cell;
 }
 
-/// Returns the difference in each record: parallel less traditional.
+/// Returns the difference in each record: parallel minus traditional.
 std::vector<double> differences_of(const BothFound& found, const std::function<double(const FoundInRecord&)>& figure) {
     std::vector<double> differences;
     for (std::size_t i = 0; i < found.parallel.size(); ++i)
@@ -172,15 +172,15 @@ Comparison both_algorithms(const RecordedBoom& machine, const std::vector<Figure
     return comparison;
 }
 
-/// Returns "shown", "undecided" or "refuted": what the interval of a difference says about its bounds.
+/// Returns "shown", "undecided" or "refuted", by the interval of a difference and its bounds.
 std::string shown_by(const Cell& cell) {
     const bool meets = cell.interval->low >= cell.at_least.value_or(cell.interval->low) &&
                        cell.interval->high <= cell.at_most.value_or(cell.interval->high);
     return meets ? "shown" : cell.within_tolerance() ? "undecided" : "refuted";
 }
 
-/// Adds the differences of one way, and the notes of what the differences show. Only `pga_fittest` is judged: the
-/// answer of the fittest island is the answer of the parallel algorithm.
+/// Adds the differences for one way of choosing the answer, and notes that say what these differences show. Only
+/// `pga_fittest` is judged, because the fittest island's answer is the parallel algorithm's answer.
 void add_differences(Comparison& comparison, const BothFound& found, BoomWay way) {
     comparison.notes += fmt::format("{}:", names_of_boom_ways[way]);
     for (Cell& cell : cells_of_difference(found, names_of_boom_ways[way])) {
@@ -195,9 +195,10 @@ void add_differences(Comparison& comparison, const BothFound& found, BoomWay way
 Comparison difference_table(const RecordedBoom& machine, const std::vector<Figures>& runs, double truth) {
     Comparison comparison{
         .name = fmt::format("{}: PGA minus GA on the same records, mean of {}", machine.name, runs.size()),
-        .notes = "\"almost identical\" allows 5 percentage points fewer records, 2 % of the true C_BOi either way, one "
-                 "sample of 5\ngenerations. A claim is shown if the whole 95 % interval of the mean is within the "
-                 "bound, and refuted if\nthe whole interval is beyond it. A refuted claim misses its bound.\n",
+        .notes =
+            "\"almost identical\" allows 5 percentage points fewer records, 2 % of the true C_BOi more or less, and "
+            "5 generations\n(one sample) more. A claim is shown if the whole 95 % interval of the mean is within the "
+            "bound, and refuted if\nthe whole interval is beyond it. A refuted claim misses its bound.\n",
         .against = "claim",
         .judged = true};
     for (BoomWay way : {pga_fittest, pga_first})
@@ -207,7 +208,7 @@ Comparison difference_table(const RecordedBoom& machine, const std::vector<Figur
 
 BoomMotion motion_of_machine(const RecordedBoom& machine) { return {machine.plant, machine.noise}; }
 
-/// Searches the records of all seeds of a machine.
+/// Makes the searches with the records of one machine, for all seeds.
 std::vector<Comparison> compare_on(const ReplayContext& context, const RecordedBoom& machine, AreasFrom from) {
     const Seeds seeds = seeds_of(context);
     const std::vector<BoomData> records = measure(motion_of_machine(machine), seeds);
@@ -219,8 +220,8 @@ std::vector<Comparison> compare_on(const ReplayContext& context, const RecordedB
     return {difference_table(machine, runs, truth), both_algorithms(machine, runs, truth)};
 }
 
-/// Returns the times at which the generations are drawn, with their numbers. The generations after a sample are spread
-/// over the time to the next sample.
+/// Returns the numbers of the generations with the times at which they are drawn. The generations after a sample are
+/// spread evenly over the time until the next sample.
 std::vector<std::pair<double, std::size_t>> generations_by_time(const BothSearches& both) {
     std::vector<std::pair<double, std::size_t>> all;
     const ProcessSearch& search = both.islands.search;

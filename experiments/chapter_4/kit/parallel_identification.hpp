@@ -10,34 +10,35 @@ namespace placedpar {
 
 /// One of the two experiments of section 4.3.
 struct ParallelExperiment {
-    const char *plot, *title; ///< name of the file of the plot, and its heading
+    const char *plot, *title; ///< file name and heading of the plot
     hydraulics::AreasFrom from;
 };
 
-/// Identifies the boom from chapter 3's records with every seed of the replay: by the parallel algorithm on the sixteen
-/// transputers of Figure E.2, and by the traditional algorithm on one transputer. Judges the thesis's "the parameter
-/// convergence rate and the estimated C_BOi from PGA are almost identical to that from traditional GA" (4.3).
+/// Identifies the boom's compliance from chapter 3's records, for every seed of the replay: by the parallel algorithm
+/// on the sixteen transputers of Figure E.2, and by the traditional algorithm on one transputer. Judges the thesis's
+/// "the parameter convergence rate and the estimated C_BOi from PGA are almost identical to that from traditional GA"
+/// (4.3).
 Replay replay_parallel_identification(const ReplayContext& context, const ParallelExperiment& experiment);
 
 /// The result of one algorithm in one record.
 struct FoundInRecord {
     double compliance_in3_per_psi;
     double generations; ///< first generation from which every answer is within 10 % of the true compliance; greater
-                        ///< than the number of generations if there is none
+                        ///< than the number of generations if no generation is
     double seconds;     ///< virtual time of the last answer
 };
 
-/// The results of the traditional algorithm and of a parallel algorithm, one for each record.
+/// The results of the traditional algorithm and of a parallel algorithm. Each vector has one result for each record.
 struct BothFound {
     double true_in3_per_psi;
     std::vector<FoundInRecord> traditional, parallel;
 };
 
-/// Returns three mean differences over the records, parallel less traditional, each with its 95 % interval. The
-/// differences and their bounds are: the percentage of records within 10 % of the true compliance, at most 5 points
-/// less; the compliance, at most 2 % of the true value less or more; the generations until the compliance stays within
-/// 10 %, at most 5 (one sample) more. A bound is missed if the whole interval is beyond it. REQUIRES: both algorithms
-/// have the same number of results, at least two.
+/// Returns three mean differences over the records, parallel minus traditional, each with its 95 % interval. The first
+/// is in the percentage of records within 10 % of the true compliance; it must be at least -5. The second is in the
+/// compliance; its size must be at most 2 % of the true value. The third is in the generations until the compliance
+/// stays within 10 %; it must be at most 5 (one sample). A bound is missed if the whole interval is beyond it.
+/// REQUIRES: both algorithms have the same number of results, at least two.
 std::vector<Cell> cells_of_difference(const BothFound& found, const std::string& column);
 
 } // namespace placedpar

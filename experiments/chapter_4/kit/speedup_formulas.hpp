@@ -2,26 +2,28 @@
 
 namespace placedpar {
 
-// These are speedups of chapter 4 and appendix C of the thesis. `alpha` is t_p / t_s (4.5; in 4.7 also for a local
-// population). The thesis defines n as the number of slaves. But it computes with the number of processors, including
-// the master: equation E.2 gives 12 with n = 4.
+// These are speedups of chapter 4 and appendix C of the thesis. `alpha` is t_p / t_s (section 4.5; in section 4.7 also
+// for a local population). The thesis defines n as the number of slaves, but computes with n as the number of
+// processors, including the master: equation E.2 gives 12 with n = 4.
 
-/// The times of a generation in any unit: computing on one processor, and communication between several processors.
+/// The times of a generation, all in the same unit: computing on one processor, and communication between several
+/// processors.
 struct GenerationTimes {
     double evaluating, breeding; ///< t_p, t_s
     double communication = 0;    ///< t_c; in equation 4.9 it is n t_c2
 };
 
-/// Returns equation C.1: equation 4.9 with communication.
+/// Returns the speedup by equation C.1, which is equation 4.9 with communication.
 double formula_c_1(const GenerationTimes&, double processors);
-/// Returns equation 4.9 without communication.
+/// Returns the speedup by equation 4.9 without communication.
 double formula_4_9(double alpha, double processors);
-/// Returns equation 4.10: equation 4.9 with n = `alpha`.
+/// Returns the speedup by equation 4.10, which is equation 4.9 with n = `alpha`.
 double formula_4_10(double alpha);
-/// Returns `processors` ("100 % efficiency", 4.2), but at most `alpha` + 1 ("the maximum achievable speedup factor").
+/// Returns the speedup with a pipeline: `processors` ("100 % efficiency", section 4.2), but at most `alpha` + 1 ("the
+/// maximum achievable speedup factor").
 double formula_pipelined(double alpha, double processors);
 
-/// Returns equation C.2, the efficiency.
+/// Returns the efficiency by equation C.2.
 double formula_c_2(double speedup, double processors);
 
 } // namespace placedpar

@@ -18,7 +18,8 @@ namespace {
 constexpr double least_times = 30, most_times = 50;
 constexpr double breeding_cycles = 1750; ///< cycles of breeding an individual (examples/thesis/workload.inc)
 
-/// Returns the number of answers up to the first answer from which ten in a row are near the true pole.
+/// Returns the number of answers until the pole is found: the position of the first of ten answers in a row that are
+/// near the true pole.
 double answers_to_pole(const std::vector<Pole>& answers) {
     const Pole truth = pole_of(Plant().a1, Plant().a2);
     std::size_t taken = 0;
@@ -30,7 +31,8 @@ double answers_to_pole(const std::vector<Pole>& answers) {
 }
 
 double samples_of_recursion(std::uint64_t seed) {
-    RecursiveIdentification recursion(0.9); // the only forgetting in `baselines` that follows the change
+    RecursiveIdentification recursion(0.9); // of the forgettings in the experiment `baselines`, only .9 follows the
+                                            // change
     std::vector<Pole> answers;
     for (const Sample& sample : plant_samples({}, seed)) {
         recursion.push(sample);
@@ -39,8 +41,8 @@ double samples_of_recursion(std::uint64_t seed) {
     return answers_to_pole(answers);
 }
 
-/// Adds how much more a search costs than recursive least squares for each sample. `as_claimed`: the factor of the
-/// operations, without breeding, is expected to be as claimed.
+/// Adds the cost of a search for each sample, divided by the cost of recursive least squares. `as_claimed` says whether
+/// the quotient of the operations, without breeding, is expected to be within the claimed bounds.
 void add_sample(Comparison& comparison, const PlantIslands& search, bool as_claimed) {
     const double individuals = static_cast<double>(search.populations[0] * search.plant.per_sample);
     const Operations fitness = operations_of_fitness(static_cast<double>(search.windows[0])),

@@ -11,12 +11,12 @@ struct Operations {
     double additions, multiplications, divisions;
 
     double all() const { return additions + multiplications + divisions; }
-    /// Returns the cycles on a T800 in single precision: typically 6, 11 and 16 for an operation, and 4 for loading its
-    /// operand.
+    /// Returns the cycles on a T800 in single precision. An addition, multiplication or division typically takes 6, 11
+    /// or 16 cycles, plus 4 cycles to load its operand.
     double t800_cycles() const { return 4 * all() + 6 * additions + 11 * multiplications + 16 * divisions; }
 };
 
-/// Returns the operations for the fitness of one individual over a window of chapter 5's plant.
+/// Returns the operations for the fitness of one individual of chapter 5's plant, over a window of this many samples.
 Operations operations_of_fitness(double window);
 /// Returns the operations of recursive least squares for one sample.
 Operations operations_of_recursion(double unknowns);

@@ -23,7 +23,8 @@ Eigen::VectorXd normal_vector(Eigen::Index size, RandomStream& random) {
     return vector;
 }
 
-/// Returns the logarithmic weights of the better half.
+/// Returns the weights with which the better half of a population is recombined. They fall with the logarithm of the
+/// rank.
 Eigen::VectorXd recombination(std::size_t population) {
     auto parents = static_cast<Eigen::Index>(population / 2);
     Eigen::VectorXd weights(parents);

@@ -11,23 +11,24 @@
 namespace placedpar {
 
 /// CMA-ES with rank-one update, rank-mu update and the usual constants (N. Hansen, "The CMA evolution strategy: a
-/// tutorial", 2016), started at the middle of the unit cube. The value of a point outside the cube is the objective at
-/// the nearest point in the cube, plus the squared distance.
+/// tutorial", 2016). The search starts at the middle of the unit cube. The value of a point outside the cube is the
+/// objective at the nearest point of the cube, plus the squared distance to this point.
 class CovarianceAdaptation {
 public:
     /// `least_step` is the lower limit of the points' standard deviation along their longest axis. With a positive
-    /// limit the search continues to explore, and so can follow a changing objective. REQUIRES: a population of at
-    /// least four.
+    /// limit the search never stops exploring, so it can follow a changing objective. REQUIRES: a population of at
+    /// least four points.
     CovarianceAdaptation(std::size_t dimensions, std::size_t population, double least_step, RandomStream random);
 
     /// Makes a generation, with one evaluation per point.
     void next_generation(const Objective01& minimised);
-    /// Returns the mean of the next points, in the cube.
+    /// Returns the mean of the distribution from which the next points are drawn, moved into the cube.
     Eigen::VectorXd mean() const;
 
 private:
     void move(const std::vector<Eigen::VectorXd>& best_steps);
-    /// Scales the longest axis of the shape to 1, and the step by the inverse factor, but not below `least_step_`.
+    /// Scales the longest axis of the shape to 1, and multiplies the step by the axis's former length. The step is at
+    /// least `least_step_` afterwards.
     void give_step_the_length();
     void adapt(const std::vector<Eigen::VectorXd>& best_steps, const Eigen::VectorXd& way);
 

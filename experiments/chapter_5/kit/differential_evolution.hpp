@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// The value of a point of the unit cube, to be minimised.
+/// A function to be minimised; its argument is a point of the unit cube.
 using Objective01 = std::function<double(const Eigen::VectorXd&)>;
 
 /// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube. Points outside the cube are
@@ -22,7 +22,7 @@ public:
     /// Draws a random first population. REQUIRES: at least four points.
     DifferentialEvolution(std::size_t dimensions, std::size_t population, RandomStream random);
 
-    /// Evaluates all points. To be called at the beginning, and whenever the objective has changed.
+    /// Evaluates all points. Call this at the beginning, and whenever the objective has changed.
     void evaluate(const Objective01& minimised);
     /// Makes a generation, with one evaluation per point. REQUIRES: evaluate() was called.
     void next_generation(const Objective01& minimised);

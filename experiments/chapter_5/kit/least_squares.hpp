@@ -13,24 +13,25 @@
 namespace placedpar {
 
 /// A linear plant of second order, y(k) = a1 y(k-1) + a2 y(k-2) + b0 u(k-d) + b1 u(k-d-1) + b2 u(k-d-2). This is the
-/// plant of chapter 5 in the form for methods that estimate coefficients instead of poles and zeros.
+/// plant of chapter 5, written for methods that estimate coefficients instead of poles and zeros.
 struct LinearPlant {
     static constexpr std::size_t coefficients = 5, delays = 4; ///< d from 1 to 4
     using Coefficients = Eigen::Matrix<double, coefficients, 1>;
 
     std::size_t delay = 1;
     Coefficients weights = Coefficients::Zero(); ///< a1, a2, b0, b1, b2
-    double squared_error = 0;                    ///< sum of squared prediction errors, by which the plant was chosen
+    double squared_error = 0;                    ///< sum of the plant's squared prediction errors over the samples
 
-    /// Returns the values in a sample of plant_record() that the weights multiply.
+    /// Returns those values of a sample of plant_record() that are multiplied by the weights.
     static Coefficients inputs(const Sample& sample, std::size_t delay);
     /// Returns the pole with the greatest real part; beta is 0 for two real poles.
     Pole pole() const;
 };
 
-/// Returns the plant with the least sum of squared prediction errors over the window. Each delay is solved by a
-/// complete orthogonal decomposition (Eigen), and the best of the four is chosen. No search of poles and zeros for this
-/// criterion can find a better plant. REQUIRES: the window is not empty.
+/// Returns the plant with the least sum of squared prediction errors over the window. For each of the four delays,
+/// Eigen's complete orthogonal decomposition solves the least-squares problem; the delay with the smallest sum is
+/// chosen. By this criterion, no search over poles and zeros can find a better plant. REQUIRES: the window is not
+/// empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
 /// The state of recursive least squares: the estimated weights and their covariance.
@@ -46,9 +47,9 @@ struct RecursiveEstimate {
             covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
     }
 
-    /// Takes an output, and the inputs that the weights multiply. Returns the error with which the output was
-    /// predicted. Only half of the covariance is computed: with both halves computed, rounding makes a forgetting of .9
-    /// diverge.
+    /// Updates the estimate with an output and the inputs that are multiplied by the weights. Returns the prediction
+    /// error of the output. Only half of the symmetric covariance is computed, and then copied: if both halves were
+    /// computed, rounding would make the estimate diverge with a forgetting of .9.
     T take(std::span<const T> inputs, T output, T forgetting) {
         const std::size_t size = weights.size();
         T scale = forgetting, error = output;
@@ -70,9 +71,9 @@ struct RecursiveEstimate {
     }
 };
 
-/// Recursive least squares over all samples, each with the weight `forgetting` to the power of its age. For coloured
-/// noise, NoiseTerms::two also estimates c1 and c2 of the terms c1 e(k-1) + c2 e(k-2), where e is the residual
-/// (extended least squares).
+/// Recursive least squares over all samples. The weight of a sample is `forgetting` to the power of the sample's age.
+/// For coloured noise, NoiseTerms::two also estimates c1 and c2 in the terms c1 e(k-1) + c2 e(k-2), where e is the
+/// residual (extended least squares).
 class RecursiveLeastSquares {
 public:
     enum class NoiseTerms : bool { none, two };
@@ -81,7 +82,7 @@ public:
     RecursiveLeastSquares(std::size_t delay, double forgetting, NoiseTerms noise_terms = NoiseTerms::none);
 
     void push(const Sample& sample);
-    /// Returns the plant. Its sum of squared prediction errors has the same weights as the samples.
+    /// Returns the plant. In its sum of squared prediction errors, each error has the weight of its sample.
     const LinearPlant& plant() const { return plant_; }
 
 private:
@@ -92,7 +93,7 @@ private:
     std::array<double, 2> unexplained_{};
 };
 
-/// Runs one recursion for each delay. The plant comes from the recursion with the least error.
+/// Runs one recursion for each delay. plant() comes from the recursion with the least squared error.
 class RecursiveIdentification {
 public:
     explicit RecursiveIdentification(

@@ -65,7 +65,7 @@ double best_fitness(const IslandsResult& result, std::size_t generation) {
     return best;
 }
 
-/// Calls `add(series, study, size, x)` for each size of each study.
+/// Calls `add(series, study, size, x)` for each size of each study, where `size` is an index.
 template <class Add>
 Panel panel_by_size(Panel panel, const std::vector<TaskStudy>& studies, Add add) {
     int colour = 0;
@@ -85,7 +85,8 @@ const std::vector<StaticTask>& static_tasks() {
     static const std::vector<StaticTask> tasks{
         {"one-max(bits = 60)", 60},                   // every bit is 1
         {"foxholes", 1},                              // the deepest of the holes, .998
-        {"schwefel(dimensions = 5, bits = 10)", 100}, // in the best valley; the next valley is 118 higher
+        {"schwefel(dimensions = 5, bits = 10)", 100}, // below this value only in the basin of the optimum; the next
+                                                      // minimum is 118
         {"trap(blocks = 6, size = 4)", 24}};          // outside every trap
     return tasks;
 }

@@ -12,21 +12,22 @@
 namespace placedpar {
 
 /// An objective function that does not change, and the objective that ends the search: the optimum, or a value that is
-/// reached only in the valley of the optimum.
+/// reached only in the basin of the optimum.
 struct StaticTask {
     std::string problem; ///< name in a netlist
     double target;       ///< the search ends at this objective, or a better one
 };
 const std::vector<StaticTask>& static_tasks();
 
-/// Returns the number of generations, from 1, until an island reaches the target, or `limit` if no island does. The
-/// operators are those of thesis 5.4, except for ranking, since the fitness may be negative. There are `islands`
-/// islands of `population` individuals each. Every three generations, each island sends its best individual to one of
-/// its neighbours in a hypercube, in turn (5.2.1).
+/// Returns the number of generations, at least 1, until an island reaches the target, or `limit` if no island reaches
+/// it. The operators are those of section 5.4 of the thesis, except that fitness is ranked, since it may be negative.
+/// There are `islands` islands of `population` individuals each. Every three generations, each island sends its best
+/// individual to a neighbour in the hypercube; its neighbours take turns (section 5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 
-/// The generations or evaluations that a task takes, for several sizes of the search and all seeds of a replay.
+/// The number of generations or evaluations that a task takes, for several sizes of the search and all seeds of a
+/// replay.
 struct TaskStudy {
     StaticTask task;
     std::vector<std::size_t> sizes;
@@ -47,10 +48,10 @@ std::vector<double> study_task(const ReplayContext& context, const StaticTask& t
 ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                    std::size_t population, std::size_t generations);
 
-/// Plots the median of `taken` over the size with its 95 % interval. Leaves out sizes with which at most 90 % of the
-/// runs reach the target.
+/// Plots the median of `taken` with its 95 % interval over the size. Leaves out sizes at which at most 90 % of the runs
+/// reach the target.
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies);
-/// Plots the percentage of runs that reach the target over the size, with 95 % intervals.
+/// Plots over the size the percentage of runs that reach the target, with 95 % intervals.
 Panel reached_panel(std::string title, Axis x, const std::vector<TaskStudy>& studies);
 
 } // namespace placedpar

@@ -11,10 +11,10 @@ namespace placedpar {
 
 namespace {
 
-// The thesis does not state these values; they are our reading of its text.
+// The thesis does not state these values; they follow its text as we understand it.
 constexpr std::size_t plant_elite = 1;
 const char* const plant_acceptance = "offspring";
-// The first generation at which diversity is measured, and the number of generations between measurements.
+// The first generation in which diversity is measured, and the number of generations from one measurement to the next.
 constexpr std::size_t diversity_from = 400, diversity_every = 10;
 
 IslandsSettings settings_of(const PlantIslands& plant) {

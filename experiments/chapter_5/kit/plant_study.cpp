@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t plotted_every = 5;
 
-// The figures of a run are `diversity` and `identical`, then for each track its TrackingFigures and every fifth pole.
+// The figures of a run are `diversity` and `identical`. Then, for each track, its TrackingFigures and every fifth pole
+// follow.
 
 void append_track(Figures& figures, const std::vector<Pole>& found, const PlantChange& change) {
     TrackingFigures tracking = track(found, change);
@@ -118,7 +119,8 @@ std::vector<double> less(const std::vector<double>& one, const std::vector<doubl
 }
 
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other) {
-    // A deviation of 0 can occur, since the elite stays. A thousandth is far below the resolution of the strings.
+    // A deviation may be 0, since the elite may stay unchanged. A thousandth is far below the resolution of the
+    // strings.
     constexpr double nothing = 0.001;
     return paired(one, other, [](double a, double b) { return (a + nothing) / (b + nothing); });
 }

@@ -23,7 +23,7 @@ constexpr TrackColumn track_columns[]{{"delay to 20 %", Tracking::delay_20, 1},
                                       {"error after", Tracking::error_after, 3},
                                       {"deviation after", Tracking::deviation_after, 4}};
 
-/// The colour of the true pole; rows have other colours.
+/// The index of the true pole's colour; the rows have other colours.
 constexpr int truth_colour = 7;
 
 double generation_of(std::size_t point) { return 5.0 * static_cast<double>(point); }
@@ -65,8 +65,8 @@ Band quartiles(const TrackRow& row, int colour, std::size_t points) {
     return band;
 }
 
-/// Returns the rows' names in full. An indented name gets the beginning of the last name that is not indented:
-/// "traditional, an island at random".
+/// Returns the full names of the rows. An indented name is preceded by the beginning of the last name that is not
+/// indented, as in "traditional, an island at random".
 std::vector<std::string> full_names(const std::vector<TrackRow>& rows) {
     std::vector<std::string> names;
     std::string above;
@@ -79,8 +79,8 @@ std::vector<std::string> full_names(const std::vector<TrackRow>& rows) {
     return names;
 }
 
-/// Removes the beginning that all names share: "distributed, window 24" becomes "window 24" if all begin with
-/// "distributed, ".
+/// Returns the names without the beginning that they share: "distributed, window 24" becomes "window 24" if all names
+/// begin with "distributed, ".
 std::vector<std::string> names_in_legend(const std::vector<TrackRow>& rows) {
     std::vector<std::string> names = full_names(rows);
     const std::string common = names.front().substr(0, names.front().find(", ")) + ", ";

@@ -27,7 +27,7 @@ double running_median(std::span<const Pole> found, std::size_t generation) {
     return median(near);
 }
 
-/// Returns the value of alpha after this share of its change.
+/// Returns the value of alpha when this share of its change is complete.
 double alpha_on_the_way(const PlantChange& change, double share) {
     double before = true_pole(change, 0).alpha, after = true_pole(change, 600).alpha;
     return before + share * (after - before);

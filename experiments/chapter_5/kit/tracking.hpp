@@ -8,13 +8,13 @@
 
 namespace placedpar {
 
-/// The measures of how well a search followed the pole. Delays are in generations; for an event that never happens, the
-/// delay is the greatest possible.
+/// These measures state how well a search followed the pole. Delays are in generations. If an event never happens, its
+/// delay is the greatest possible delay.
 enum class Tracking : unsigned char {
-    delay_20, ///< delay after generation 200 until the running median of alpha over 11 generations has covered 20 % of
+    delay_20, ///< delay from generation 200 until the running median of alpha over 11 generations has covered 20 % of
               ///< the change; the true alpha has a delay of 40
     delay_63, ///< as `delay_20`, but for 63 % of the change; the true alpha has a delay of 126
-    lag,      ///< delay at which the delayed true alpha is nearest to the found alpha
+    lag,      ///< delay by which the true alpha must be shifted to be nearest to the found alpha
     error_before,     ///< rms distance between found and true pole in generations 100 to 199
     error_during,     ///< rms distance in generations 200 to 399
     error_after,      ///< rms distance in generations 500 to 599
@@ -24,8 +24,8 @@ enum class Tracking : unsigned char {
 inline constexpr std::size_t tracking_figures = 8;
 using TrackingFigures = std::array<double, tracking_figures>;
 
-/// Returns the measures. `found` has the pole found in each generation of Table 5.4. REQUIRES: at least 600
-/// generations.
+/// Returns the measures. `found` has the pole that was found in each generation of the change in Table 5.4. REQUIRES:
+/// at least 600 generations.
 TrackingFigures track(std::span<const Pole> found, const PlantChange& change);
 
 /// The distance within which a pole counts as found.

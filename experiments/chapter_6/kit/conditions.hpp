@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// The expected results of a condition: the percentages of runs that converge and that follow the pole, measured with
-/// other seeds.
+/// The expected results of a condition, measured with other seeds: the percentage of runs that converge, and the
+/// percentage of runs that follow the pole.
 struct Expected {
     std::optional<double> converged, followed;
 };
@@ -28,16 +28,16 @@ struct Tally {
     double followed_percent() const;
 };
 
-/// Makes a run for each seed. `name` must be unique within the experiment.
+/// Calls `run` with each seed of the replay, and counts the outcomes. `name` must be unique within the experiment.
 Tally tally_runs(const ReplayContext&, const std::string& name, const std::function<PlantOutcome(std::uint64_t)>& run);
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
 /// Adds a row with the shares of runs that converged and that followed the pole, and the median generation of
-/// convergence, each with its 95 % interval. A share with an expected value is judged by share_tolerance(): four
-/// standard deviations of the difference of two samples.
+/// convergence, each with its 95 % interval. A share with an expected value is judged with the tolerance
+/// share_tolerance(): four standard deviations of the difference of two samples.
 void add_tally(Comparison&, const Tally&, const Expected& = {});
-/// Adds a row with two 95 % intervals, in percentage points: the gain over the control in the share of converged runs,
-/// and in the share of runs that followed the pole.
+/// Adds a row with two 95 % intervals, in percentage points. They are for the gain over `control` in the share of
+/// converged runs, and in the share of runs that followed the pole.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
 } // namespace placedpar

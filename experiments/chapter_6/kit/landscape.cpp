@@ -14,7 +14,8 @@ namespace {
 
 using Errors = std::vector<float>; ///< index: the string as a binary number
 
-constexpr double same_error = 1e-3; ///< two readings of one plant, such as beta and -beta, differ only by rounding
+constexpr double same_error = 1e-3; ///< strings that stand for the same plant, such as with beta and -beta, have errors
+                                    ///< that differ only by rounding
 
 Genome string_numbered(std::size_t number, std::size_t bits) {
     Genome genome(bits);
@@ -41,7 +42,7 @@ public:
     }
 
 private:
-    /// Returns the best of the string `from` and the strings that differ from it in one bit.
+    /// Returns the string with the least error among `from` and the strings that differ from it in one bit.
     static std::uint32_t better_neighbour(const Errors& errors, std::size_t bits, std::size_t from) {
         std::size_t best = from;
         for (std::size_t bit = 0; bit < bits; ++bit)
@@ -50,7 +51,7 @@ private:
         return static_cast<std::uint32_t>(best);
     }
 
-    /// Follows the descent from a string. The descent ends, since each step lowers the error.
+    /// Follows the descent from a string to its end. The end is always reached, since each step lowers the error.
     void follow(std::size_t from) {
         std::size_t end = from;
         while (end_[end] != end)
@@ -68,7 +69,7 @@ bool is_good(const PlantProblem& problem, const Recoding& reading, std::size_t s
     return std::hypot(plant.alpha - pole.alpha, std::abs(plant.beta) - pole.beta) < PlantOutcome::near_the_pole;
 }
 
-/// Counts the numbers of strings for which `is` returns true.
+/// Counts the strings for whose numbers `is` returns true.
 template <class Is>
 double count_strings(std::size_t strings, Is is) {
     std::size_t count = 0;
@@ -107,7 +108,7 @@ Errors errors_of_all(const Recoding& reading, const WindowMoments& moments) {
     return errors;
 }
 
-/// Returns the string whose parameters are the nearest to the plant's.
+/// Returns the string whose parameters are the nearest to the parameters of the plant.
 Genome string_of_plant(const ParameterCoding& coding) {
     std::vector<double> parameters = parameters_of(Plant());
     Genome genome(coding.bits());

@@ -28,22 +28,22 @@ constexpr const char* pair_style = R"(text { font-size: 13px; }
 constexpr const char* arrow_head = R"(<marker id="head" markerWidth="9" markerHeight="8" refX="8" refY="4" )"
                                    R"(orient="auto"><path d="M0,0 L9,4 L0,8 Z" fill="#445566"/></marker>)";
 
-/// Draws a box whose middle is at this height.
+/// Draws a box. The middle of the box is at the height `y`.
 void pair_box(SvgPen& pen, double y, const std::string& name, const std::string& about) {
     const picture::Box box{{box_left + box_width / 2, y}, box_width, 56};
     pen.rect(box, {{"class", "box"}, {"rx", "6"}});
     pen.text(box.centre - picture::Point{0, 6}, "name", name).text(box.centre + picture::Point{0, 14}, "middle", about);
 }
 
-/// Draws `count` bits of a field, from its bit number `first` on.
+/// Draws `count` bits of a field, beginning with the bit number `first`.
 void bit_cells(SvgPen& pen, double left, std::size_t first, std::size_t count, double y, const std::string& look) {
     for (std::size_t i = first; i < first + count; ++i)
         pen.rect({{left + bit_width * (static_cast<double>(i) + 0.5), y + row_height / 2}, bit_width, row_height},
                  {{"class", "bit " + look}});
 }
 
-/// A field of the problem's string. Above it is the field of the coarse search, which has the first bits; below it is
-/// the field of the fine search, which counts in the last bits.
+/// A field of the problem's string. The field of the coarse search, which has the first bits, is drawn above. The field
+/// of the fine search, whose steps are in the last bits, is drawn below.
 struct PairField {
     std::string name;
     double left;
@@ -78,8 +78,8 @@ std::vector<PairField> pair_fields(const CoarseFineSettings& settings, const std
     return fields;
 }
 
-/// Draws the arrows: from the coarse search to the bias point, from there to the fine search, and to the answer.
-/// `right` is the right end of the strings.
+/// Draws the arrows from the coarse search to the bias point, from the bias point to the fine search, and from the fine
+/// search to the answer. `right` is the right end of the strings.
 void both_ways(SvgPen& pen, double right) {
     double middle = (string_left + right) / 2, below = problem_row + row_height, answer = fine_row + row_height / 2;
     pen.path(svg_corners({{middle, coarse_row + row_height}, {middle, problem_row - 6}}), {{"class", "arrow"}});

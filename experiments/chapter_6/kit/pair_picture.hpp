@@ -7,9 +7,10 @@
 
 namespace placedpar {
 
-/// Draws the pair of Figure 6.6 with these settings, as SVG. The picture shows both searches with their populations and
-/// strings, above the problem's string, and the data that they exchange. Strings are shown field by field. The same
-/// settings give the same bytes. REQUIRES: `fields` has a name for each field, without <, > and &.
+/// Draws the pair of a coarse and a fine search (Figure 6.6) with these settings, as SVG. The picture shows both
+/// searches with their populations and strings, the problem's string below, and the data that the searches exchange.
+/// Strings are shown field by field. The same settings give the same bytes. REQUIRES: `fields` has a name for each
+/// field, without <, > and &.
 std::string draw_pair(const CoarseFineSettings& settings, const std::vector<std::string>& fields);
 
 } // namespace placedpar

@@ -24,7 +24,7 @@ Search begin(const PlantSearch& search, std::uint64_t seed) {
     return Search(std::move(first), search.settings, std::move(random));
 }
 
-/// Calls push(sample) for each sample of the record and next() for each generation, in the order of time.
+/// Calls push(sample) for each sample of the record and next() for each generation, in the order of their times.
 template <class Push, class Next>
 void for_each_generation(std::uint64_t seed, Push push, Next next) {
     std::vector<Sample> samples = plant_samples(seed);

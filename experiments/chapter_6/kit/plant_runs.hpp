@@ -13,12 +13,12 @@
 
 namespace placedpar {
 
-/// Return the plant of chapter 5 as a search problem in natural binary, and the number of bits of each field (Table
-/// 5.1).
+/// These functions return the plant of chapter 5 as a search problem in natural binary, and the number of bits of each
+/// field (Table 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
-/// Returns the coarse reading of Table 6.3: two bits for the delay, and `bits` bits for each of the five other
-/// parameters. With `bits` = 7 the reading is the whole string.
+/// Returns the coarse reading of Table 6.3, which selects two bits of the string for the delay, and `bits` bits for
+/// each of the five other parameters. With `bits` = 7 the reading selects the whole string.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
 /// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 for a
@@ -30,7 +30,7 @@ SearchSettings plant_settings(std::size_t population);
 struct PlantOutcome {
     static constexpr double near_the_pole = 0.1;
 
-    /// The rms of |pole found - true pole| over generations 100 to 199, 200 to 399 and 500 to 599.
+    /// The rms values of |pole found - true pole| over generations 100 to 199, 200 to 399 and 500 to 599.
     std::array<double, 3> pole_error{};
     /// The first generation before the change from which |pole found - true pole| stays below `near_the_pole` for ten
     /// generations; 200 if there is none.

@@ -38,6 +38,7 @@ private:
     static monitor::ServiceSettings settings() {
         monitor::ServiceSettings settings;
         settings.limits.machines = 100'000;
+        settings.limits.idle_s = settings.limits.stall_s = 86'400; // another program may keep both cores for minutes
         return settings;
     }
 
@@ -212,11 +213,12 @@ std::size_t accused_at(const RecordSource& source, const LoggerRate& rate, std::
 void check_sound(std::size_t movements, std::size_t machines, std::uint64_t first_seed) {
     for (const RecordSource& source :
          {RecordSource{"scenario-a", "mid", false}, RecordSource{"excavator", "mid", true}})
-        for (const LoggerRate& rate : logger_rates) {
-            const std::size_t accused = accused_at(source, rate, movements, machines, first_seed);
-            MESSAGE(fmt::format("{} at {}: an alarm in {} of {}", source.scenario, rate.name, accused, machines));
-            CHECK(100 * accused <= machines);
-        }
+        for (const LoggerRate& rate : logger_rates)
+            SUBCASE(fmt::format("{} at {}", source.scenario, rate.name).c_str()) {
+                const std::size_t accused = accused_at(source, rate, movements, machines, first_seed);
+                MESSAGE(fmt::format("{} at {}: an alarm in {} of {}", source.scenario, rate.name, accused, machines));
+                CHECK(100 * accused <= machines);
+            }
 }
 
 } // namespace
@@ -225,7 +227,7 @@ TEST_CASE("a fast logger causes no false alarm over the socket, for a machine of
     check_sound(3, 1, 51'000);
 }
 
-// This takes an hour: ctest -C studies -R studies/rates
+// This takes an hour: ctest -C studies -R studies/rates. For one of the eight: --no-skip --subcase="excavator at 5 kHz"
 TEST_CASE("a fast logger causes no false alarm over the socket, for 200 machines of each plant" * doctest::skip()) {
     check_sound(8, 200, 52'000);
 }

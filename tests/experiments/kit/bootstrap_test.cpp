@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 using namespace placedpar;
 
 TEST_CASE("the interval of a median contains it, and narrows with more values") {
@@ -17,13 +19,23 @@ TEST_CASE("the interval of a median contains it, and narrows with more values") 
     CHECK(of_many.contains(499.5));
     CHECK(of_many.high - of_many.low < (of_few.high - of_few.low) / 2);
     CHECK(of_many.low == median_interval(many).low);
-    CHECK(median_interval({3}).low == 3);
+    CHECK(median_interval({3, 3, 3, 3, 3, 3}).low == 3);
     // The median of 1000 evenly spread values has a standard deviation of 500 / sqrt(1000): 31 to either side at 95 %.
     CHECK(of_many.high - of_many.low == doctest::Approx(62).epsilon(0.15));
 }
 
+TEST_CASE("five values bound neither a median nor a quotient with 95 %") {
+    for (std::size_t runs : {0u, 1u, 5u}) {
+        const std::vector<double> ones(runs, 1);
+        CHECK(std::isinf(median_interval(ones).low));
+        CHECK(std::isinf(median_interval(ones).high));
+        CHECK(quotient_interval(ones, ones).contains(-1e300));
+    }
+    CHECK_FALSE(median_interval(std::vector<double>(6, 1)).contains(1.1));
+}
+
 TEST_CASE("the interval of a quotient of sums has width 0 if all runs are equal") {
-    Interval same = quotient_interval({2, 4, 6}, {1, 2, 3});
+    Interval same = quotient_interval({2, 4, 6, 2, 4, 6}, {1, 2, 3, 1, 2, 3});
     CHECK(same.low == 2);
     CHECK(same.high == 2);
     std::vector<double> above, below;

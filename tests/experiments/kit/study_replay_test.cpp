@@ -109,9 +109,10 @@ TEST_CASE("the number in a name is the first one, with its fraction") {
 }
 
 TEST_CASE("a study without tables, with seeds of its own, or with figures that no run can have is refused") {
-    check_refused("measure = \"time\"\n[set]\ncount = 3\n", "the study has no [[table]], which a replay needs");
+    check_refused("measure = \"time\"\n[set]\ncount = 3\n", "the study has no [[table]], but a replay needs one");
     for (const char* seeds : {"seeds = 2\n", "first_seed = 7\n"})
-        check_refused(seeds + of_two_counts, "the seed of a replay comes from --seed: leave out seeds and first_seed");
+        check_refused(seeds + of_two_counts,
+                      "the seed of a replay comes from --seed: remove seeds and first_seed from the study");
     check_refused("measure = [\"time\", \"consumer.rte\"]\n" + of_two_counts.substr(of_two_counts.find('\n') + 1),
                   "unknown measure \"consumer.rte\"; did you mean \"consumer.rate\"?");
 }

@@ -86,7 +86,7 @@ TEST_CASE("the report of a run whose path was not kept says what to do") {
     Explanation explanation;
     explanation.path_too_long = true;
     const std::string why =
-        "it has more than 2000000 parts; end the run earlier with --until, or make it shorter with --set";
+        "it has more than 2000000 parts; end the run earlier with --until, or shorten it with --set";
     std::string printed = print_explanation(explanation, network);
     CHECK(printed.find("\ncritical path: too long to keep: " + why + "\n") != std::string::npos);
     CHECK(printed.find("share") == std::string::npos);

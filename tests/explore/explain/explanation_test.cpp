@@ -123,7 +123,7 @@ TEST_CASE("the report begins with the best change of everything, of a part and o
     const std::size_t top = text.find("what holds it back\n"), end = text.find("\n\n", top);
     REQUIRE(top != text.npos);
     CHECK(text.substr(top, end - top) == "what holds it back\n"
-                                         "  the critical path is computing 70.0 %, communicating 30.0 %\n"
+                                         "  on the critical path: computing 70.0 %, communicating 30.0 %\n"
                                          "  all processors twice as fast: 60.0 % less time\n"
                                          "  processors of p[] twice as fast: 40.0 % less time\n"
                                          "  one more of slaves: 3 instead of 2: 20.0 % less time\n"

@@ -258,7 +258,7 @@ TEST_CASE("a topology that needs more than four links of a processor is refused 
     request.degree = 4;
     CHECK(says(request, "so no link is left"));
     request.degree = 5;
-    CHECK(says(request, "expected 3 or 4, the links of a processor"));
+    CHECK(says(request, "expected 3 or 4 links for each processor"));
 }
 
 TEST_CASE("sizes that a topology does not have are refused, with the reason") {

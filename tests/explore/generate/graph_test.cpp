@@ -143,7 +143,7 @@ TEST_CASE("edges to a subgraph lead to all its nodes, and its defaults end with 
 
 TEST_CASE("a node of more than four edges is refused by name, or split") {
     CHECK_THROWS_WITH_AS(network_of("star.graphml"),
-                         doctest::Contains("a node of more than 4 edges: \"0\" (to 1, 2, 3, 4, 5)"), UserError);
+                         doctest::Contains("a node has more than 4 edges: \"0\" (to 1, 2, 3, 4, 5)"), UserError);
     const Network network = network_of("star.graphml", true);
     CHECK(network.nodes.size() == 8);
     CHECK(network.count_wires() == 7); // five edges, the wire between the two processors, and the host's

@@ -201,7 +201,7 @@ TEST_CASE("foreign content in a file of results is refused") {
     check_refused("ALTER TABLE runs RENAME COLUMN ended TO finished", schema);
     check_refused("PRAGMA user_version = 1",
                   "from an earlier version of PlacedPar; this version reads format 2: "
-                  "use the other version to report it, or sweep again with another --results");
+                  "use the other version to report its runs, or sweep again with another --results");
     check_refused("PRAGMA user_version = 3", "from a later version of PlacedPar; this version reads format 2");
 }
 
@@ -217,8 +217,8 @@ TEST_CASE("changed, exchanged, removed or added rows are refused") {
                   "figures, checksum FROM runs WHERE seed = 1",
                   "of table runs");
     check_refused("DELETE FROM study", "table study has no row");
-    check_refused("DELETE FROM texts WHERE place = 1", "one of table texts");
-    check_refused("UPDATE texts SET place = 7 - place", "one of table texts");
+    check_refused("DELETE FROM texts WHERE place = 1", "or a row of table texts");
+    check_refused("UPDATE texts SET place = 7 - place", "or a row of table texts");
     check_refused("UPDATE study SET measures = '[]'", "the row of table study");
 }
 

@@ -119,7 +119,7 @@ TEST_CASE("more immigrants than individuals outside the elite are refused") {
     for (const PolicyDescription& way : Acceptance::descriptions()) {
         CHECK_THROWS_WITH_AS(
             home.places(way.name.c_str(), four, 2),
-            "4 immigrants come at once to an island of 5 individuals with an elite of 2; expected at most 3",
+            "4 immigrants come in one exchange to an island of 5 individuals with an elite of 2; expected at most 3",
             UserError);
         CHECK_THROWS_AS(home.places(way.name.c_str(), six), UserError);
         CHECK(home.places(way.name.c_str(), four, 1).size() == 4);
@@ -129,7 +129,8 @@ TEST_CASE("more immigrants than individuals outside the elite are refused") {
 TEST_CASE("the refusal of one immigrant to one individual has singular nouns") {
     CHECK_THROWS_WITH_AS(
         Acceptance::validate_for(1, 1, 1),
-        "1 immigrant comes at once to an island of 1 individual with an elite of 1; expected at most 0", UserError);
+        "1 immigrant comes in one exchange to an island of 1 individual with an elite of 1; expected at most 0",
+        UserError);
 }
 
 TEST_CASE("acceptances are named by their text") {

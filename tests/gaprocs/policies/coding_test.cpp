@@ -76,9 +76,11 @@ TEST_CASE("with the coding \"real\", a string holds real numbers in the ranges o
 }
 
 TEST_CASE("a coding that has no meaning for a problem is refused") {
-    CHECK_THROWS_WITH_AS(make_search_problem(LineProblem{})->coded(Coding::real),
-                         "the coding \"real\" has no meaning for this problem, which has no real numbers to breed",
-                         UserError);
+    CHECK_THROWS_WITH_AS(
+        make_search_problem(LineProblem{})->coded(Coding::real),
+        "the coding \"real\" has no meaning for this problem, which has no real numbers to breed; choose "
+        "\"natural\"",
+        UserError);
     CHECK_THROWS_AS(minimise(Seats{})->coded(Coding::gray), UserError);
     CHECK_THROWS_AS(maximise(Comb{})->coded(Coding::gray), UserError);
     CHECK_THROWS_WITH_AS(minimise(Seats{})->coded(Coding::named("natural(1)")),

@@ -140,10 +140,9 @@ TEST_CASE("of two islands without errors, the first is chosen") {
 TEST_CASE("a fixed choice always chooses the same island, which must exist") {
     RandomStream random(1, "not drawn from");
     CHECK(IslandChoice::named("fixed(1)")(small_matrix, random) == 1);
-    CHECK_THROWS_WITH_AS(
-        IslandChoice::named("fixed(island = 2)")(small_matrix, random),
-        "the answer is to come from island 2, but the number of islands is 2; expected an island from 0 to 1",
-        UserError);
+    CHECK_THROWS_WITH_AS(IslandChoice::named("fixed(island = 2)")(small_matrix, random),
+                         "the choice is island 2, but the number of islands is 2; expected an island from 0 to 1",
+                         UserError);
     CHECK(IslandChoice::named("fixed(1)").text() == "fixed(island = 1)");
     CHECK(IslandChoice().text() == "printed");
 }

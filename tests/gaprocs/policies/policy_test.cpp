@@ -39,9 +39,9 @@ TEST_CASE("the text that a policy prints names the same policy") {
 }
 
 TEST_CASE("a text that names no policy is refused with the existing policies") {
-    CHECK(refusal("tournment") == "it is one of roulette, universal, scaled(best = 2), ranking(best = "
+    CHECK(refusal("tournment") == "\"tournment\" is not one of roulette, universal, scaled(best = 2), ranking(best = "
                                   "2), tournament(size = 2); did you mean \"tournament\"?");
-    CHECK(refusal("").starts_with("it is one of roulette"));
+    CHECK(refusal("").starts_with("\"\" is not one of roulette"));
     CHECK(refusal("tournament(3") == "\"tournament(3\" has no closing parenthesis at its end");
     CHECK(refusal("tournament()") == "\"\" is not a number: size is a whole number from 1 to 1000000");
     CHECK(refusal("tournament(2.5)") == "size = 2.5 is out of range: size is a whole number from 1 to 1000000");

@@ -55,11 +55,11 @@ TEST_CASE("impossible codings are refused with the number of the parameter") {
     refused({}, "a binary string must code at least one parameter");
     refused({{0, 1, 10}, {0, 1, 0}}, "parameter 1: 0 bits, expected 1 to 52");
     refused({{0, 1, 53}}, "parameter 0: 53 bits, expected 1 to 52");
-    refused({{1, 1, 10}}, "parameter 0: the range is 1 to 1, expected a lower and a higher number");
+    refused({{1, 1, 10}}, "parameter 0: the range is 1 to 1, expected two finite numbers, the lower number first");
     refused({{0, std::numeric_limits<double>::infinity(), 10}},
-            "parameter 0: the range is 0 to inf, expected a lower and a higher number");
+            "parameter 0: the range is 0 to inf, expected two finite numbers, the lower number first");
     refused({{std::numeric_limits<double>::quiet_NaN(), 1, 10}},
-            "parameter 0: the range is nan to 1, expected a lower and a higher number");
+            "parameter 0: the range is nan to 1, expected two finite numbers, the lower number first");
     refused({{-1.5e308, 1.5e308, 10}},
             "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double");
 }

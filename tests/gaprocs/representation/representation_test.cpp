@@ -96,7 +96,7 @@ TEST_CASE("empty representations and reversed bounds are refused") {
     CHECK_THROWS_AS(Permutation(0), std::invalid_argument);
     CHECK_THROWS_AS(RealVector(0, {0, 1}), std::invalid_argument);
     CHECK_THROWS_WITH_AS(RealVector({{0, 1}, {5, -5}}),
-                         "parameter 1: the range is 5 to -5, expected a lower and a higher number",
+                         "parameter 1: the range is 5 to -5, expected two finite numbers, the lower number first",
                          std::invalid_argument);
     CHECK_THROWS_WITH_AS(RealVector({{-1.5e308, 1.5e308}}),
                          "parameter 0: the width of the range -1.5e+308 to 1.5e+308 is beyond the range of a double",

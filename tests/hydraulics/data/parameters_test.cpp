@@ -101,7 +101,7 @@ TEST_CASE("errors in a user's file are reported with their place") {
     check("boom.inlet_area,32,in^2,guessed,\n", 25, "\"guessed\" is not a mark");
     check("boom.inlet_area,0,in^2,ours,\n", 17, "boom.inlet_area cannot be 0");
     check("noise.pressure,-5,psi,ours,\n", 16, "noise.pressure cannot be -5");
-    check("boom.inlet_area,32,in^2,ours\n", 25, "4 values, expected 5");
+    check("boom.inlet_area,32,in^2,ours\n", 25, "the row has the wrong number of values: 4, expected 5");
 
     std::vector<Diagnostic> faults;
     Parameters machine = Parameters::excavator();

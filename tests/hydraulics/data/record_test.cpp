@@ -86,17 +86,19 @@ TEST_CASE("a record written by a spreadsheet is read: byte order mark, CR LF, qu
 }
 
 TEST_CASE("a wrong header is refused with its place") {
-    CHECK(record_faults("") == "error 0:0: the header is missing | such as time [s],boom.inlet_pressure [psi]\n");
+    CHECK(record_faults("") ==
+          "error 0:0: the header is missing | write a header such as time [s],boom.inlet_pressure [psi]\n");
     CHECK(record_faults("boom.angle [deg]\n1\n") ==
-          "error 1:1: the column \"time\" is missing | add the column, usually the first: time [s]; or name "
-          "it: --column time=NAME\n");
+          "error 1:1: the column \"time\" is missing | add the column time [s], usually the first; or name an existing "
+          "column: --column time=NAME\n");
     CHECK(record_faults("time [s]\n"
-                        "0\n") == "error 1:1: the record has no column of a sensor | LINK.SENSOR, such as "
-                                  "boom.inlet_pressure [psi]; or name it: --column boom.inlet_pressure=NAME\n");
+                        "0\n") ==
+          "error 1:1: the record has no column of a sensor | add a column LINK.SENSOR, such as boom.inlet_pressure "
+          "[psi]; or name an existing column: --column boom.inlet_pressure=NAME\n");
     CHECK(record_faults("time [s],boom.angle\n0,1\n") ==
-          "error 1:10: column \"boom.angle\" has no unit | boom.angle [UNIT] with deg or rad\n");
+          "error 1:10: column \"boom.angle\" has no unit | write boom.angle [UNIT], where UNIT is deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [psi]\n0,1\n") ==
-          "error 1:10: \"psi\" is not a unit of angle | boom.angle [UNIT] with deg or rad\n");
+          "error 1:10: \"psi\" is not a unit of angle | write boom.angle [UNIT], where UNIT is deg or rad\n");
     CHECK(record_faults("time [s],boom.angle [deg],BO.angle [rad]\n0,1,2\n") ==
           "error 1:27: column \"BO.angle\" occurs twice | the first is column 2 of the table\n");
     std::string text = "time [s],boom.angle [deg],boom.temperature [C],motor.angle [deg]\n";
@@ -111,20 +113,20 @@ TEST_CASE("a wrong header is refused with its place") {
 
 TEST_CASE("a wrong reading is refused with its place") {
     constexpr const char* missing = "leave a row out where a reading is missing";
-    constexpr const char* skip =
-        "a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves such rows out";
+    constexpr const char* skip = "write a number such as 1830.5 or -2e-3; \"placedpar identify --missing skip\" leaves "
+                                 "out rows with missing readings";
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,nan,20,0.2\n") ==
           fmt::format("error 7:7: \"nan\" is not a reading | {}\n", skip));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,,20,inf\n") ==
-          fmt::format("error 7:7: no value | {}\nerror 7:11: \"inf\" is not a finite "
-                      "number | a number such as 1830.5 or -2e-3; {}\n",
+          fmt::format("error 7:7: the value is missing | {}\nerror 7:11: \"inf\" is not a finite "
+                      "number | write a number such as 1830.5 or -2e-3; {}\n",
                       skip, missing));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1e300,20,0.2\n") ==
           fmt::format("error 7:7: 1e300 is too large for a reading | {}\n", missing));
     CHECK(record_faults("time [s],boom.inlet_pressure [bar]\n0,1e308\n0.02,1\n0.04,2\n0.06,3\n0.08,4\n")
               .starts_with("error 2:3: 1e308 is too large for a reading"));
     CHECK(record_faults(boom_columns + rows(0, 5) + "0.100,1600,20\n") ==
-          "error 7:12: 3 values, expected 4 | the header on line 1 has 4 columns\n");
+          "error 7:12: the row has the wrong number of values: 3, expected 4 | the header on line 1 has 4 columns\n");
 }
 
 TEST_CASE("wrong times are refused with their place") {
@@ -144,12 +146,10 @@ TEST_CASE("wrong times are refused with their place") {
           "error 8:1: the time is 0.04 s before the time on line 7 | rows must be in order of time\n"
           "warning 9:1: 2 samples are missing before this one | windows and slopes do not extend across the gap\n");
     CHECK(record_faults(boom_columns + rows(0, 6) + row(0.127) + rows(7, 12)) ==
-          "error 8:1: the time is 0.027 s after the time on line 7 | a whole number of sampling periods of 0.02 s (the "
-          "median step), "
-          "within 25 %\n"
-          "error 9:1: the time is 0.013 s after the time on line 8 | a whole number of sampling periods of 0.02 s (the "
-          "median step), "
-          "within 25 %\n");
+          "error 8:1: the time is 0.027 s after the time on line 7 | steps must be whole numbers of sampling periods "
+          "of 0.02 s (the median step), within 25 %\n"
+          "error 9:1: the time is 0.013 s after the time on line 8 | steps must be whole numbers of sampling periods "
+          "of 0.02 s (the median step), within 25 %\n");
     std::string backwards = boom_columns;
     for (int i = 9; i >= 0; --i)
         backwards += row(0.02 * i);
@@ -231,7 +231,7 @@ TEST_CASE("a record whose clock changes its rate is refused") {
         text += fmt::format("{},{}\n", i < 30 ? 20 * i : 600 + 24 * (i - 30), i);
     CHECK(record_faults(text) ==
           "error 1:1: the sampling period changes: the times differ from whole periods by more than half a period "
-          "| a separate record for each sampling rate\n");
+          "| write a separate record for each sampling rate\n");
 }
 
 TEST_CASE("gaps divide a record into stretches") {
@@ -380,7 +380,7 @@ TEST_CASE("rows that are left out in several pieces are counted together") {
     REQUIRE(!at_end.empty());
     CHECK(at_end.front().location.line == 7);
     CHECK(at_end.front().message == "readings are missing");
-    CHECK(at_end.front().hint == "3 rows left out; this is the first of them");
+    CHECK(at_end.front().hint == "3 rows left out, beginning with this row");
 }
 
 TEST_CASE("the first time that is not missing tells whether times are dates") {

@@ -38,8 +38,8 @@ TEST_CASE("samples are as near to 20 ms apart as whole numbers of readings allow
 
 TEST_CASE("slower and faster readings are refused with the reason") {
     CHECK_THROWS_WITH_AS(Sampling::of(0.11),
-                         "the readings are 0.11 s apart, expected at most 0.1 s: fewer readings do not show a "
-                         "transient of some tenths of a second",
+                         "the readings are 0.11 s apart, expected at most 0.1 s: slower readings do not show a "
+                         "transient, which lasts some tenths of a second",
                          UnfitRecord);
     CHECK_THROWS_WITH_AS(Sampling::of(0.00005),
                          "the readings are 5e-05 s apart, expected at least 0.0001 s (10 kHz): average them first, or "

@@ -228,6 +228,6 @@ TEST_CASE("an impossible scenario is refused with the reason") {
     std::get<SpoolOrifices>(scenario.links[0].valve).steps.push_back({0.05, 0.2});
     CHECK_THROWS_WITH_AS(
         simulate_excavator(scenario),
-        "excavator scenario: the boom's step time is 0.05, expected a time after that of the previous step",
+        "excavator scenario: the boom's step time is 0.05, expected a time after the end of the previous step",
         UnfitScenario);
 }

@@ -224,7 +224,7 @@ TEST_CASE("a mixture of rows of two transactions is detected") {
         }
         StateContent content;
         CHECK_THROWS_WITH_AS(StateFile(damaged / "state", "settings", most_history, content),
-                             doctest::Contains("its rows do not match its ledger"), UserError);
+                             doctest::Contains("its rows do not match the sum of their checksums"), UserError);
     }
 }
 

@@ -93,7 +93,7 @@ class Alarms(ServiceTest):
         self.assertIsNotNone(self.tell(service, "acknowledge", "digger", kind, "BO")["alarms"][0]["acknowledged_at"])
         self.assertIsNotNone(self.tell(service, "shelve", "digger", kind, "boom")["alarms"][0]["shelved_until"])
         self.assertIsNone(self.tell(service, "shelve", "digger", kind, "BO", "--for", "0")["alarms"][0]["shelved_until"])
-        self.assertIn("1 are still connected", self.tell(service, "forget", "digger", code=1))
+        self.assertIn("still has open connections: 1", self.tell(service, "forget", "digger", code=1))
         client.close()
         while self.tell(service, "load")["clients"] > 1:
             pass

@@ -90,7 +90,7 @@ class Crowd(ServiceTest):
         client.ask(**CONFIGURATION)
         client.ask(**boom(0))
         other = self.client(service)
-        self.assertIn("1 are still connected", other.ask(type="forget", machine="digger")["wrong"])
+        self.assertIn("still has open connections: 1", other.ask(type="forget", machine="digger")["wrong"])
         client.ask(type="bye")
         self.assertIsNone(client.receive())
         self.assertEqual(other.ask(type="forget", machine="digger"), {"type": "forgotten", "text": "digger"})

@@ -143,12 +143,12 @@ class Robustness(ServiceTest):
 
     def test_who_says_no_hello_is_told_and_dropped(self):
         silent = self.client(self.service("--hello-timeout", 0.2))
-        self.assertIn("no hello within 0.2 s", silent.receive()["wrong"])
+        self.assertIn("no hello has arrived within 0.2 s", silent.receive()["wrong"])
         self.assertIsNone(silent.receive())
 
     def test_who_falls_silent_is_told_and_dropped(self):
         idle = self.client(self.service("--idle-timeout", 0.5), "digger")
-        self.assertIn("no line for 0.5 s", idle.receive()["wrong"])
+        self.assertIn("no line has arrived for 0.5 s", idle.receive()["wrong"])
         self.assertIsNone(idle.receive())
 
     def test_who_dribbles_is_told_and_dropped(self):
@@ -164,7 +164,7 @@ class Robustness(ServiceTest):
         except OSError:
             pass  # the connection has been closed
         reader.join()
-        self.assertIn("an incomplete line for 0.3 s", answers[0]["wrong"])
+        self.assertIn("the line is still incomplete after 0.3 s", answers[0]["wrong"])
 
     def test_two_hundred_clients_at_once(self):
         service = self.service("--max-clients-per-peer", 256)

@@ -251,9 +251,10 @@ TEST_CASE("wrong attributes and values of a master's place on a bus are refused"
     CHECK(says(told("spare.level", "1"), "note: it has nothing that can be set\n"));
     CHECK(says(told("at_a.level", "4"), "illegal value of the attribute \"level\": 4\n"));
     CHECK(says(told("at_a.level", "top"), "hint: expected an integer from 0 to 3\n"));
-    CHECK(says(told("a.level", "1"), "hint: the connection of \"a\" to its bus has: --set at_a.level=...\n"));
+    CHECK(says(told("a.level", "1"),
+               "hint: the connection of \"a\" to its bus has this attribute: --set at_a.level=...\n"));
     CHECK(says(told("b.release", "ROR"),
-               "hint: the connection of \"b\" to its bus has: --set attachment[0].release=...\n"));
+               "hint: the connection of \"b\" to its bus has this attribute: --set attachment[0].release=...\n"));
     CHECK(!says(told("t.release", "ROR"), "hint: "));
     CHECK(says(told("release", "ROAK"), "hint: expected one of RWD, ROR\n"));
     CHECK(says(told("relase", "ROR"), "hint: did you mean \"release\"?\n"));
@@ -313,7 +314,7 @@ TEST_CASE("the message about an unknown name gives the nearest name or all names
     CHECK(says(refusal({{"t[2].clock", "3"}}), "nothing has the name \"t[2]\"\n    t[2].clock=3\n    ^\n"
                                                "hint: the names are t[0] to t[1]\n"));
     CHECK(
-        says(refusal({{"s[1].clock", "3"}}), "hint: the node that \"s[1]\" is placed on has: --set t[1].clock=...\n"));
+        says(refusal({{"s[1].clock", "3"}}), "hint: the node of \"s[1]\" has this attribute: --set t[1].clock=...\n"));
     CHECK(says(refusal({{"m", "3"}}), "\"m\" is a process: name the attribute or parameter to set\n"));
     CHECK(says(refusal({{"clok", "3"}}), "hint: did you mean \"clock\"?\n"));
     std::string many;

@@ -180,10 +180,11 @@ TEST_CASE("a process that outputs to the receivers in turn waits for ever, and t
     CHECK(report.result.ending == Ending::stuck);
     REQUIRE(report.result.deadlock);
     CHECK(report.result.deadlock->cycle == std::vector<std::string>{"p"});
-    CHECK(report.result.deadlock->held_up ==
-          std::vector<std::string>{
-              "p.out[0] -> c[0].in: waits until p.out[1] -> c[1].in, p.out[2] -> c[2].in are output, too, because one "
-              "message goes to all of them, which a program outputs in a PAR"});
+    CHECK(
+        report.result.deadlock->held_up ==
+        std::vector<std::string>{
+            "p.out[0] -> c[0].in: waits until the message is output on p.out[1] -> c[1].in, p.out[2] -> c[2].in, too, "
+            "because one message goes to all these channels: output it on all of them in a PAR"});
 }
 
 TEST_CASE("a broadcast of different messages is an error with the process and its place") {
@@ -203,7 +204,7 @@ TEST_CASE("a broadcast of different messages is an error with the process and it
         CHECK(each.find("3:45: process p/2 (test.shout)") != std::string::npos);
         CHECK(each.find("channel p.out[2] -> c[2].in is broadcast with p.out[0] -> c[0].in, but its message ") !=
               std::string::npos);
-        CHECK(each.find("hint: all channels on the bus carry one broadcast message") != std::string::npos);
+        CHECK(each.find("hint: all channels of a broadcast carry the same messages") != std::string::npos);
     }
     CHECK(longer.find("has 204 bytes, not 200 bytes") != std::string::npos);
     CHECK(other.find("differs") != std::string::npos);

@@ -166,7 +166,7 @@ TEST_CASE("a file that cannot be read is refused with its line") {
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n") == "5: the file ends after 1 of 2 cities");
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n3 1 1\n") ==
           "6: expected a city from 1 to 2 and its two coordinates, not \"3 1 1\"");
-    CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n1 1 1\n") == "6: city 1 has coordinates already");
+    CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n1 1 1\n") == "6: city 1 has coordinates twice, expected once");
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n2 nan 1\n").starts_with("6: expected a city"));
     CHECK(refusal_of(head + "NODE_COORD_SECTION\n1 0 0\n2 1e300 1\n").starts_with("6: the distance 1e+300 is not"));
     CHECK(refusal_of(head + "EOF\n").starts_with("4: the file ends without cities"));
@@ -184,10 +184,10 @@ TEST_CASE("a keyword or section that comes twice is refused, but for comments") 
     const std::string head = "TYPE: TSP\nCOMMENT: a\nCOMMENT: b\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\n";
     const std::string cities = "NODE_COORD_SECTION\n1 0 0\n2 3 4\n";
     CHECK(tour_of(head + cities).objective(std::vector<std::size_t>{0, 1}) == 10);
-    CHECK(refusal_of(head + cities + "DIMENSION: 4000\n") == "9: a second \"DIMENSION\": the file may have one");
-    CHECK(refusal_of(head + cities + cities) == "9: a second \"NODE_COORD_SECTION\": the file may have one");
+    CHECK(refusal_of(head + cities + "DIMENSION: 4000\n") == "9: \"DIMENSION\" occurs twice, expected once");
+    CHECK(refusal_of(head + cities + cities) == "9: \"NODE_COORD_SECTION\" occurs twice, expected once");
     CHECK(refusal_of(head + "EDGE_WEIGHT_FORMAT: FULL_MATRIX\nEDGE_WEIGHT_SECTION\n0 1\n1 0\n" + cities) ==
-          "10: \"NODE_COORD_SECTION\": the section before it has given all distances");
+          "10: \"NODE_COORD_SECTION\" is one section too many: an earlier section has given all distances");
 }
 
 TEST_CASE("a problem is named by its file") {

@@ -242,7 +242,8 @@ TEST_CASE("a broadcast message cannot be given up") {
     all.carry(c, 0);
     host.simulation.process(
         "host", [&] { output_or_fail(c.out(), 1, Time{milliseconds{1}}); }, &host.sun);
-    CHECK_THROWS_WITH_AS(host.simulation.run(),
-                         "channel c is broadcast with other channels: it cannot give up a message, nor be reset",
-                         std::logic_error);
+    CHECK_THROWS_WITH_AS(
+        host.simulation.run(),
+        "channel c is broadcast with other channels: its messages cannot be given up, and its ends cannot be reset",
+        std::logic_error);
 }

@@ -362,8 +362,8 @@ TEST_CASE("a program that outputs on a broadcast's channels in sequence is stuck
         CHECK(result.deadlock->cycle == std::vector<std::string>{"host"});
         REQUIRE(result.deadlock->held_up.size() == 1);
         CHECK(result.deadlock->held_up[0] ==
-              "c0: waits until c1, c2 are output, too, because one message goes to all of them, which "
-              "a program outputs in a PAR");
+              "c0: waits until the message is output on c1, c2, too, because one message goes to all these channels: "
+              "output it on all of them in a PAR");
     }
     SUBCASE("while others could go on") {
         host.simulation.process("other", [] { wait_for(milliseconds{5}); });
@@ -387,5 +387,5 @@ TEST_CASE("a receiver that does not come holds up the others, which the report d
     REQUIRE(result.deadlock);
     CHECK(result.deadlock->cycle.empty());
     REQUIRE(!result.deadlock->held_up.empty());
-    CHECK(result.deadlock->held_up[0].find(": waits until c1 is taken, too") != std::string::npos);
+    CHECK(result.deadlock->held_up[0].find(": waits until the message is taken on c1, too") != std::string::npos);
 }

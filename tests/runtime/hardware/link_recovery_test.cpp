@@ -221,9 +221,10 @@ TEST_CASE("an end that gave up a message refuses the next one until it is reset"
         output_or_fail(c.out(), Letter{}, Time{1us});
         c.out().output({});
     });
-    CHECK_THROWS_WITH_AS(simulation.run(),
-                         "process sender outputs to channel c, on which it gave up a message: reset it first",
-                         std::logic_error);
+    CHECK_THROWS_WITH_AS(
+        simulation.run(),
+        "process sender outputs to channel c, on which it gave up a message: reset this end of the channel first",
+        std::logic_error);
 }
 
 TEST_CASE("a processor that halts executes nothing more, and its neighbours wait for it") {

@@ -353,7 +353,7 @@ TEST_CASE("words of code and data outside of the chip extend a computation by th
     auto& t800 = simulation.add<Processor>("t", twenty_megahertz, Cycles{0}, Memory{.access = Cycles{3}});
     simulation.process(
         "computes", [] { compute(Cycles{1}, {.words_outside = -1}); }, &t800);
-    CHECK_THROWS_WITH(simulation.run(), "process computes computes with a negative number of words");
+    CHECK_THROWS_WITH(simulation.run(), "process computes computes with a negative number of words outside the chip");
 }
 
 TEST_CASE("memory that takes no time, or has words of another size, is refused") {

@@ -183,7 +183,7 @@ TEST_CASE("a level or slot that a bus does not have, or that is taken, is refuse
     simulation.add<VmeMaster>("first", bus);
     CHECK_THROWS_WITH(simulation.add<VmeMaster>("second", bus), "bus bus: first and second are both masters in slot 1");
     CHECK_THROWS_WITH(simulation.add<VmeMaster>("third", bus, VmePlace{.level = 2, .slot = 2}),
-                      "bus bus: an arbiter of a single level only knows BR3; third has BR2");
+                      "bus bus: on a bus with a single level every master must have BR3; third has BR2");
     CHECK_THROWS_WITH(
         simulation.add<VmeMaster>("fourth", bus, VmePlace{.level = 3, .slot = 22}),
         "bus bus: a master has a level from 0 to 3 and a slot from 1 to 21; fourth has level 3 and slot 22");

@@ -79,11 +79,11 @@ TEST_CASE("the assembler's listing has the address and the bytes of each line") 
 TEST_CASE("the assembler says where an error is") {
     CHECK(assembly_error("ldc 1\nadd 3") == "2:5: \"add\" has no operand");
     CHECK(assembly_error("\n\n  rev; frob") == "3:8: the instruction \"frob\" does not exist");
-    CHECK(assembly_error("j nowhere") == "1:3: nothing has the name \"nowhere\"");
+    CHECK(assembly_error("j nowhere") == "1:3: no label and no number has the name \"nowhere\"");
     CHECK(assembly_error("x:\nx: rev") == "2:1: \"x\" is defined already: choose another name");
     CHECK(assembly_error("x: rev\nx = 1") == "2:1: \"x\" is defined already: choose another name");
     CHECK(assembly_error("1x: rev") == "1:1: \"1x\" cannot be a name: a name has letters, digits, _ and .");
-    CHECK(assembly_error("x = y") == "1:5: nothing has the name \"y\"");
+    CHECK(assembly_error("x = y") == "1:5: no label and no number has the name \"y\"");
     CHECK(assembly_error("ldc") == "1:1: \"ldc\" needs an operand");
     CHECK(assembly_error("ldc 4294967296") == "1:5: \"4294967296\" is neither a number of 32 bits nor a name");
     CHECK(assembly_error(".byte 1, 256") == "1:10: 256 does not fit into 8 bits");

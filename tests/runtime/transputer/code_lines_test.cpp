@@ -87,25 +87,28 @@ TEST_CASE("a wrong table is refused with its place") {
     CHECK_EQ(refusal("code +#0 +#4 1\nend"), "1:15: the row is cut off: it has no COLUMN");
     CHECK_EQ(refusal("code +#0 +#4 1 1  \nend"), "1:19: the row is cut off: it has no FILE");
     CHECK_EQ(refusal("code 12 +#4 1 1 f\nend"),
-             "1:6: FROM is not an address such as #80000170, or +#100 from MemStart on");
+             "1:6: FROM is not an address such as #80000170, or an offset from MemStart such as +#100");
     CHECK_EQ(refusal("code #100 +#4 1 1 f\nend"),
-             "1:6: FROM is not an address such as #80000170, or +#100 from MemStart on");
+             "1:6: FROM is not an address such as #80000170, or an offset from MemStart such as +#100");
     CHECK_EQ(refusal("code +#0 +#FFFFFFFF 1 1 f\nend"),
-             "1:10: UNTIL is not an address such as #80000170, or +#100 from MemStart on");
-    CHECK_EQ(refusal("code +#0 +#4 0 1 f\nend"), "1:14: LINE is not a whole number from 1 on");
-    CHECK_EQ(refusal("code +#0 +#4 1 -1 f\nend"), "1:16: COLUMN is not a whole number from 1 on");
+             "1:10: UNTIL is not an address such as #80000170, or an offset from MemStart such as +#100");
+    CHECK_EQ(refusal("code +#0 +#4 0 1 f\nend"), "1:14: LINE is not a whole number of at least 1");
+    CHECK_EQ(refusal("code +#0 +#4 1 -1 f\nend"), "1:16: COLUMN is not a whole number of at least 1");
     CHECK_EQ(refusal("code +#4 +#4 1 1 f\nend"), "1:1: UNTIL is not after FROM");
     CHECK_EQ(refusal("code +#4 +#8 1 1 f\ncode +#0 +#5 1 1 f\nend"),
-             "2:1: the row has an address of the row in line 1");
-    CHECK_EQ(refusal("process +#4 +#8 a\nprocess +#4 +#5 b\nend"), "2:1: the row has an address of the row in line 1");
-    CHECK_EQ(refusal("entry +#4 a\nentry +#4 b\nend"), "2:1: the row has an address of the row in line 1");
-    CHECK_EQ(refusal("error +#4 a\nerror +#4 b\nend"), "2:1: the row has an address of the row in line 1");
-    CHECK_EQ(refusal("node a\nnode a\nend"), "2:1: the node \"a\" has rows already");
+             "2:1: the row has an address that the row in line 1 has already");
+    CHECK_EQ(refusal("process +#4 +#8 a\nprocess +#4 +#5 b\nend"),
+             "2:1: the row has an address that the row in line 1 has already");
+    CHECK_EQ(refusal("entry +#4 a\nentry +#4 b\nend"),
+             "2:1: the row has an address that the row in line 1 has already");
+    CHECK_EQ(refusal("error +#4 a\nerror +#4 b\nend"),
+             "2:1: the row has an address that the row in line 1 has already");
+    CHECK_EQ(refusal("node a\nnode a\nend"), "2:1: the node \"a\" has rows already: put all rows of a node together");
     CHECK_EQ(refusal("line +#4 a\nend"),
              "1:1: a row begins with code, entry, process, carrier, channel, error, node or end");
     CHECK_EQ(refusal("entry +#4 a\x1b[2J\nend"), "1:11: NAME has a control character");
     CHECK_EQ(refusal("entry +#4 " + std::string(201, 'a') + "\nend"), "1:11: NAME has more than 200 bytes");
-    CHECK_EQ(refusal("end now"), "1:5: nothing more is expected in this row");
+    CHECK_EQ(refusal("end now"), "1:5: the row is complete before this word: delete the rest of the line");
     CHECK_EQ(refusal("end\nwhat follows is not read"), "");
 }
 

@@ -35,8 +35,12 @@ TEST_CASE("every task's target can be reached") {
 }
 
 TEST_CASE("curves over the size have a point with an interval at each size") {
-    TaskStudy often{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{4, 6, 5}, {3, 3, 3}}};
-    TaskStudy seldom{.task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{100, 6, 100}, {3, 3, 3}}};
+    TaskStudy often{
+        .task = {"foxholes", 1}, .sizes = {10, 20}, .limit = 100, .taken = {{4, 6, 5, 4, 6, 5}, {3, 3, 3, 3, 3, 3}}};
+    TaskStudy seldom{.task = {"foxholes", 1},
+                     .sizes = {10, 20},
+                     .limit = 100,
+                     .taken = {{100, 6, 100, 100, 6, 100}, {3, 3, 3, 3, 3, 3}}};
     const Panel reached = reached_panel("", {.from = 0, .to = 30}, {often, seldom});
     REQUIRE(reached.series.size() == 2);
     for (const Series& series : reached.series) {
