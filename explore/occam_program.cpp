@@ -111,8 +111,9 @@ bool can_be_run(const occam::Declaration& procedure) {
         return each->type->kind == occam::Type::Kind::channel;
     };
     const std::size_t channels = static_cast<std::size_t>(std::ranges::count_if(parameters, is_channel));
-    const bool gets_memory = parameters.size() == 3 && channels == 2 && !is_channel(parameters.back()) &&
-                             parameters.back()->type->kind == occam::Type::Kind::array;
+    const occam::Type* const last = parameters.empty() ? nullptr : parameters.back()->type;
+    const bool gets_memory = parameters.size() == 3 && channels == 2 && last->kind == occam::Type::Kind::array &&
+                             !last->count && last->element->is(occam::Basic::integer);
     return parameters.size() <= 3 && (channels == parameters.size() || gets_memory);
 }
 

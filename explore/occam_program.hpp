@@ -32,7 +32,7 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 bool is_occam(const std::filesystem::path&);
 
 /// Returns whether `placedpar run` can run this procedure: its parameters are none, or channels to a host and perhaps
-/// the free memory, or the channels of a terminal.
+/// the free memory, or the channels of a terminal. REQUIRES: the program has no errors.
 bool can_be_run(const occam::Declaration& procedure);
 
 struct CompiledOccam {

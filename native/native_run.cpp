@@ -18,6 +18,7 @@
 #include <deque>
 #include <exception>
 #include <list>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -89,9 +90,8 @@ private:
         const std::size_t from = thread_of(c.from.process), to = thread_of(c.to.process);
         if (from == to)
             return;
-        crossings_.emplace_back(strands_[from].software->channel(channel), group_.member(from),
-                                strands_[to].software->channel(channel), group_.member(to));
-        ends_of_crossings_.emplace_back(from, to);
+        crossings_[{from, to}].emplace_back(strands_[from].software->channel(channel), group_.member(from),
+                                            strands_[to].software->channel(channel), group_.member(to));
     }
 
     void start_processes() {
@@ -185,11 +185,11 @@ private:
         for (std::size_t i = 0; i < strands_.size(); ++i)
             parts.push_back({std::move(*strands_[i].result), strands_[i].software->measurements(),
                              std::move(strands_[i].waited), group_.member(i).rested()});
-        auto ends = ends_of_crossings_.begin();
-        for (const Crossing& crossing : crossings_) {
-            const auto [from, to] = *ends++;
+        for (const auto& [ends, crossings] : crossings_) {
+            const auto [from, to] = ends;
             parts[from].sent.resize(parts.size());
-            parts[from].sent[to].add(crossing.sent());
+            for (const Crossing& crossing : crossings)
+                parts[from].sent[to].add(crossing.sent());
         }
         return join_parts(network_, thread_of_node_, "thread", std::move(parts));
     }
@@ -199,8 +199,7 @@ private:
     std::deque<Strand> strands_;
     NativeTrace* trace_;
     Group group_;
-    std::list<Crossing> crossings_;
-    std::vector<std::pair<std::size_t, std::size_t>> ends_of_crossings_; ///< threads: from, to
+    std::map<std::pair<std::size_t, std::size_t>, std::list<Crossing>> crossings_; ///< by the threads: from, to
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;
     std::condition_variable ended_;

@@ -116,7 +116,7 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
 }
 
 /// The largest allowed relative error of an experiment's compliance, for one record and for the median of many records.
-/// Of 3,000 records, one in a thousand exceeded the limit for one record.
+/// One in a thousand of 3,000 records exceeded the limit for one record.
 struct Allowed {
     double record, median;
 };

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the first line of the file, or "" if there is no such file.
+/// Returns the first line of the file, or "" if the file does not exist.
 std::string first_line(const fs::path& file) {
     std::string line;
     std::getline(std::ifstream(file), line);

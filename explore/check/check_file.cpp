@@ -53,6 +53,14 @@ CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& ca
     return checked;
 }
 
+/// Says what a program without errors is for. `main` is null if there is no procedure.
+std::string use_of(const occam::Declaration* main) {
+    if (!main)
+        return "the file has no procedure";
+    return can_be_run(*main) ? fmt::format("PROC {} would be run", main->name)
+                             : fmt::format("only a netlist can use PROC {}, because of its parameters", main->name);
+}
+
 CheckedFile check_program(const std::filesystem::path& path, const CheckOptions& options) {
     LoadedSource source = load_input(path);
     if (has_errors(source.problems))
@@ -63,12 +71,8 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     for (const auto& file : program.program->files)
         if (file != source.file && !file->path().starts_with('<'))
             checked.included.push_back(file->path());
-    checked.summary =
-        fmt::format("{}: no errors; {}\n", path.string(),
-                    !program.main ? "the file has no procedure"
-                    : can_be_run(*program.main)
-                        ? fmt::format("PROC {} would be run", program.main->name)
-                        : fmt::format("only a netlist can use PROC {}, because of its parameters", program.main->name));
+    if (!program.failed)
+        checked.summary = fmt::format("{}: no errors; {}\n", path.string(), use_of(program.main));
     return checked;
 }
 

@@ -356,7 +356,7 @@ std::vector<ProgramUse::Stop> BootedNode::stops() const {
 
 void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
-        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() != 0;
+        host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
     const bool stopped =
         device_.activity() == transputer::Node::Activity::stopped || device_.core().count_stopped() > 0;
     use.programs.push_back({.name = node().name,

@@ -277,7 +277,7 @@ class LanguageServer(unittest.TestCase):
 
         def refused(words, name):
             return self.client.answer("textDocument/rename", {**self.client.at(uri, words), "newName": name})["error"]["message"]
-        self.assertIn(f'"n" is used in {self.folder}/part.inc, line 1', refused("n 3", "nn"))
+        self.assertIn(f'"n" is also used in {self.folder}/part.inc, line 1', refused("n 3", "nn"))
         self.assertIn("is declared already", refused("ring[n]", "t"))
         for name in ("host", "T425"):
             self.assertIn(f'"{name}" is predefined', refused("ring[n]", name))

@@ -43,6 +43,15 @@ class NativeTraces(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr), (exit_code, ""))
         return run, json.loads(report.read_text(encoding="utf-8")), JsonTrace(trace, has_many_clocks=program is not placedpar)
 
+    def run_undisturbed(self, *arguments, **options):
+        """Returns a run whose waits by the trace are those of the report. Another program may take a core between the two
+        readings of the clock, so that the run is made again."""
+        for _ in range(4):
+            run, report, trace = self.trace(*arguments, **options)
+            if all(abs(trace.waiting(each["name"]) - each["waiting_ps"]) < MILLISECOND for each in report["processes"]):
+                break
+        return run, report, trace
+
     def check_against_report(self, report, trace):
         """Checks that the waits are those of the report, and that a thread executes what computes on it."""
         self.assertGreaterEqual(trace.end, report["time_ps"])
@@ -64,7 +73,7 @@ class NativeTraces(unittest.TestCase):
             self.assertGreater(sum(map(len, simulated.values())), 50)
             for threads in (1, 2, 3):
                 with self.subTest(netlist=netlist, threads=threads):
-                    _, report, trace = self.trace(netlist, "--native", "--threads", threads, *options)
+                    _, report, trace = self.run_undisturbed(netlist, "--native", "--threads", threads, *options)
                     self.assertEqual(messages(trace), simulated)
                     self.assertEqual(list(trace.nodes.values()),
                                      [f"thread {i}" for i in range(len(report["processors"]))])
@@ -77,7 +86,7 @@ class NativeTraces(unittest.TestCase):
             simulated = messages(self.trace(netlist, *SMALL[netlist])[2])
             for ranks in (2, 3):
                 with self.subTest(netlist=netlist, ranks=ranks):
-                    run, report, trace = self.trace(netlist, "--native", *SMALL[netlist], program=on(ranks))
+                    run, report, trace = self.run_undisturbed(netlist, "--native", *SMALL[netlist], program=on(ranks))
                     self.assertEqual(messages(trace), simulated)
                     self.assertEqual(list(trace.nodes.values()), [f"rank {i}" for i in range(ranks)])
                     self.assertEqual([each["name"] for each in report["clocks"]], [f"rank {i}" for i in range(1, ranks)])

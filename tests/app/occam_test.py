@@ -195,8 +195,8 @@ PROC ask (CHAN OF SP fs, ts, []INT memory)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertIn("waits for a key, but the input has ended", done.stdout)
 
-    def test_the_exit_code_tells_success_from_any_other_status(self):
-        for status, code in (("sps.success", 0), ("sps.failure", 1), ("INT32 7", 1)):
+    def test_the_exit_code_tells_failure_from_success_and_a_status_of_its_own(self):
+        for status, code in (("sps.success", 0), ("sps.failure", 1), ("INT32 7", 0)):
             done = self.run_text(f"""#INCLUDE "hostio.inc"
 PROC leave (CHAN OF SP fs, ts, []INT memory)
   #USE "hostio.lib"
@@ -327,10 +327,14 @@ PROC main (CHAN OF SP fs, ts)
             self.assertEqual(done.returncode, 1)
             self.assertIn(f"{option[0]} has no effect on", done.stderr)
         for parameters, runs in (("CHAN OF INT in, out, VAL INT n, k", False), ("CHAN OF INT a, b", True), ("VAL INT n", False),
-                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF INT a, b, []INT m", True)):
+                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF INT a, b, []INT m", True),
+                                 ("CHAN OF INT a, b, []BYTE m", False), ("CHAN OF INT a, b, [9]INT m", False)):
             done = self.run_text(f"PROC worker ({parameters})\n  SKIP\n:\n", command="check")
             self.assertEqual("PROC worker would be run" in done.stdout, runs, parameters)
             self.assertEqual("only a netlist can use PROC worker, because of its parameters" in done.stdout, not runs)
+        done = self.run_text("#INCLUDE \"nowhere.inc\"\nPROC p (CHAN OF INT a, b)\n  SKIP\n:\n", command="check")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('the file "nowhere.inc" is missing', done.stderr)
         done = self.run_text("VAL x IS 1:\n")
         self.assertEqual(done.returncode, 1)
         self.assertIn("the file has no PROC that can be run", done.stderr)

@@ -197,7 +197,7 @@ TEST_CASE("more emigrants than individuals, than a message can hold or than an i
     check_says(no_pair, "an elite of 11 in a population of 12 leaves no pair");
     CHECK(no_pair.find("in one exchange") == std::string::npos);
     check_says(said_of(12, all(", elite = 1, schedule = \"sequential\", emigration = \"random(2)\""), star(12)),
-               "22 immigrants come at once");
+               "22 immigrants come in one exchange");
 }
 
 TEST_CASE("an interval that is given both in the schedule and in exchange_every is refused") {

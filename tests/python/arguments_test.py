@@ -62,7 +62,7 @@ class Arguments(unittest.TestCase):
             self.assertIn('expected a network, such as pp.load("ring.cfs"), not 5', self.refused(function, 5))
         self.assertIn("use is", self.refused(pp.load, network, use={"p": 5}))
         self.assertIn("settings is", self.refused(pp.load, network, settings={5: 1}))
-        self.assertIn("bits is", self.refused(pp.search, "sphere", bounds=[(0, 1)], bits=[1.5]))
+        self.assertIn("bits is", self.refused(pp.search, lambda rows: rows, bounds=[(0, 1)], bits=[1.5]))
 
 
 if __name__ == "__main__":

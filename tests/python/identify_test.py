@@ -97,7 +97,7 @@ class Identify(unittest.TestCase):
         names = self.folder / "names.txt"
         names.write_text("angle [deg] = Phi 1\ntime = Zeit\n", encoding="utf-8")
         self.assertEqual(pp.identify(named, columns_from=names).report, found.report)
-        with self.assertRaisesRegex(pp.RecordError, 'name it: columns={"time": NAME}'):
+        with self.assertRaisesRegex(pp.RecordError, 'name an existing column: columns={"time": NAME}'):
             pp.identify(named, columns={"angle [deg]": "Phi 1"})
         with self.assertRaisesRegex(pp.Error, 'columns "boom.angel" is not a channel'):
             pp.identify(named, columns={"boom.angel": "Phi 1"})
