@@ -146,6 +146,10 @@ auto upper_bound(R&& r, const T& v, C c = {}, P p = {}) {
     return std::upper_bound(WHOLE_RANGE, v,
                             [&](const T& b, const auto& a) { return std::invoke(c, b, std::invoke(p, a)); });
 }
+template <class I, class S, class T, class C = less, class P = identity>
+I upper_bound(I a, S b, const T& v, C c, P p) {
+    return std::upper_bound(a, b, v, [&](const T& x, const auto& y) { return std::invoke(c, x, std::invoke(p, y)); });
+}
 template <class R, class F, class P = identity>
 auto partition_point(R&& r, F f, P p = {}) {
     return std::partition_point(WHOLE_RANGE, parts::one(f, p));
@@ -221,9 +225,43 @@ template <class R, class C = less, class P = identity>
 auto min_element(R&& r, C c = {}, P p = {}) {
     return std::min_element(WHOLE_RANGE, parts::both(c, p));
 }
+template <class R, class C = equal_to>
+auto adjacent_find(R&& r, C c = {}) {
+    return std::adjacent_find(WHOLE_RANGE, std::ref(c));
+}
 template <class R, class F>
-F for_each(R&& r, F f) {
-    return std::for_each(WHOLE_RANGE, f);
+void for_each(R&& r, F f) {
+    std::for_each(WHOLE_RANGE, [&](auto&& each) { std::invoke(f, each); });
+}
+template <class R, class F>
+void generate(R&& r, F f) {
+    std::generate(WHOLE_RANGE, std::ref(f));
+}
+template <class R, class S>
+bool is_permutation(R&& r, S&& s) {
+    return std::is_permutation(WHOLE_RANGE, ranges::begin(s), ranges::end(s));
+}
+template <class A>
+struct min_max_result {
+    A min, max;
+};
+template <class R>
+auto minmax_element(R&& r) {
+    auto [a, b] = std::minmax_element(WHOLE_RANGE);
+    return min_max_result<decltype(a)>{a, b};
+}
+template <class R>
+auto minmax(R&& r) {
+    auto [a, b] = std::minmax_element(WHOLE_RANGE);
+    return min_max_result<range_value_t<R>>{*a, *b};
+}
+template <class R>
+range_value_t<R> min(R&& r) {
+    return *std::min_element(WHOLE_RANGE);
+}
+template <class R>
+range_value_t<R> max(R&& r) {
+    return *std::max_element(WHOLE_RANGE);
 }
 #undef WHOLE_RANGE
 } // namespace std::ranges
