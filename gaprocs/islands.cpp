@@ -176,12 +176,13 @@ void Islands::exchange_in_step() {
             migrations_.insert(migrations_.end(), leaving.begin(), leaving.end());
         }
     std::ranges::stable_sort(migrations_, {}, &Migration::to);
-    auto first = migrations_.begin();
+    std::span<Migration> rest = migrations_;
     for (std::size_t i = 0; i < searches_.size(); ++i) {
-        auto end = std::find_if(first, migrations_.end(), [&](const Migration& each) { return each.to != i; });
+        const auto end = std::ranges::find_if(rest, [&](const Migration& each) { return each.to != i; });
+        const auto count = static_cast<std::size_t>(end - rest.begin());
         if (made_[i])
-            breed(i, {first, end});
-        first = end;
+            breed(i, rest.first(count));
+        rest = rest.subspan(count);
     }
 }
 

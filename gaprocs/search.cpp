@@ -85,7 +85,7 @@ void Search::next_generation(std::span<const double> fitness) {
     auto next = offspring_.begin();
     for (std::size_t index : best_indices(fitness, elite_))
         *next++ = population_[index];
-    std::span<Genome> bred(next, offspring_.end());
+    const auto bred = std::span(offspring_).subspan(static_cast<std::size_t>(next - offspring_.begin()));
     if (auto parents = reproduction_(fitness, bred.size(), random_)) {
         for (std::size_t parent : *parents)
             *next++ = population_[parent];

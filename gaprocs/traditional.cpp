@@ -60,8 +60,8 @@ SearchResult run_traditional(const SearchProblem& problem, std::size_t generatio
 void add_earlier_best(SearchResult& result, const SearchProblem& problem, const SearchProgress& progress,
                       const Search& search) {
     if (progress.best() && problem.objective())
-        result.estimates.push_back(
-            {search.generation() - 1, *progress.best(), problem.decode(progress.best()->genome)});
+        result.estimates.push_back({static_cast<std::size_t>(search.generation() - 1), *progress.best(),
+                                    problem.decode(progress.best()->genome)});
 }
 
 const Estimate& SearchResult::best() const {

@@ -6,30 +6,8 @@
 
 namespace placedpar::serve {
 
-/// Executes one job and returns its answer. Both are JSON. A job has these members:
-///
-///   "do"        "check", "run", "explain", "listing" or "exercise"
-///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
-///   "files"     {name: text}; no other file is read
-///   "seed"      the seed of the run; 1 if this member is missing
-///   "exercise"  the number of the exercise that "main" solves
-///   "expected"  the output of a correct solution, if the task is not an exercise of the course
-///   "keys"      the keys that the program receives; none if this member is missing
-///
-/// The answer to "check" has only "faults". Any other answer has "ended" and, by the value of "ended", these members:
-///
-///   "refused"           "refused" (the reason, as the command line prints it), "faults"; there was no run
-///   "failed"            "refused" (the reason); the run ended by an exception
-///   a name of an Ending "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
-///                       reason), and, if the job asks for it, "explanation" or "listing"
-///   "solved", "not solved", "interrupted", for an exercise
-///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its
-///                       end
-///
-/// An answer also has "warnings", unless the run failed. A process that is killed at a limit has no answer; the service
-/// answers with "killed" (serve/runs.hpp).
-///
-/// After `limits.seconds` the run is interrupted, and the answer has the results up to then.
+/// Returns the answer to a job (serve/answer.hpp). After `limits.seconds` the run is interrupted, and the answer has
+/// the results up to then.
 std::string answer_of(const std::string& job, const RunLimits& limits);
 
 /// Reads a job from standard input, confines this process, and writes the answer to standard output.

@@ -48,7 +48,7 @@ std::string text_of(const json::object& answer, const char* name) {
     return found ? std::string(found->as_string()) : "";
 }
 
-/// Makes the mark from the answer to a job (serve/job.hpp).
+/// Makes the mark from the answer to a job (serve/answer.hpp).
 Mark mark_of(const fs::path& submission, const std::string& answer, const RunLimits& limits) {
     const json::object object = json::parse(answer).as_object();
     Mark mark{submission.string(), text_of(object, "result"), {}, text_of(object, "verdict")};

@@ -20,8 +20,8 @@ struct QueueLimits {
     RunLimits run;
 };
 
-/// Executes jobs (serve/job.hpp), each in its own process. Further jobs wait in a queue. Checks come before runs in the
-/// queue, because checks are short and the user is typing. All functions are called from the loop's only thread.
+/// Executes jobs (serve/answer.hpp), each in its own process. Further jobs wait in a queue. Checks come before runs in
+/// the queue, because checks are short and the user is typing. All functions are called from the loop's only thread.
 class Runs {
 public:
     /// Receives the answer, which is JSON.

@@ -12,7 +12,7 @@
 namespace placedpar::serve {
 
 /// Answers the paths that browsers request. "/" is the page; "/examples", "/exercises" and "/catalogue" are its data. A
-/// POST to "/job?NAME" contains a job (serve/job.hpp) with the page's files; its reply is the job's answer.
+/// POST to "/job?NAME" contains a job (serve/answer.hpp) with the page's files; its reply is the job's answer.
 /// "/place?NAME" returns the position of that job in the queue. "/healthz" alone needs no token.
 class Site {
 public:

@@ -1,8 +1,8 @@
 #include "explore/check/check_file.hpp"
 
+#include "explore/check/languages.hpp"
 #include "explore/occam_check.hpp"
 #include "explore/occam_program.hpp"
-#include "explore/study/study_file.hpp"
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/language/names_in_text.hpp"
 #include "occam/configuration/configuration.hpp"
@@ -10,47 +10,21 @@
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/program_name.hpp"
-#include "text/refused_text.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <optional>
+#include <memory>
 #include <utility>
 
 namespace placedpar {
 
 namespace {
 
-Diagnostic fault_of_whole(const std::filesystem::path& path, std::string message, std::string hint = "") {
-    auto file = std::make_shared<const SourceFile>(path.string(), "");
-    return {Severity::error, std::move(message), {std::move(file), 0, 0}, std::move(hint), {}};
-}
-
 std::string summary_of(const Network& network) {
     return fmt::format("{}: {}, {}, {}, {}; hash {:016x}\n", network.source_path,
                        counted(count_processors(network), "processor"), counted(network.count_wires(), "connection"),
                        counted(network.processes.size(), "process", "processes"),
                        counted(network.channels.size(), "channel"), network.hash);
-}
-
-CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& set,
-                          const ReadOptions& read) {
-    ReadResult result = read_netlist(path, catalogue, set, read);
-    CheckedFile checked{
-        .language = "netlist", .diagnostics = std::move(result.diagnostics), .not_shown = std::move(result.not_shown)};
-    checked.names = occam::is_configuration(path) ? NamesOf::occam : NamesOf::netlist;
-    if (!result.network) {
-        checked.included = read_syntax(load_input(path).file, read.include_folders).included;
-        return checked;
-    }
-    checked.included = result.network->included_paths;
-    checked.summary = summary_of(*result.network);
-    if (result.network->nodes.empty() && result.network->processes.empty())
-        checked.diagnostics.push_back(fault_of_whole(
-            result.network->source_path, "the netlist is empty",
-            fmt::format("a netlist declares processors and processes; {} generate writes an example", program_name())));
-    return checked;
 }
 
 /// Says how a program without errors can be used. `main` is null if there is no procedure.
@@ -76,52 +50,31 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
     return checked;
 }
 
-/// Returns the first run that satisfies the study's condition; nothing if none of the first 10,000 runs satisfies it.
-std::optional<StudyRun> first_run(const Study& study) {
-    constexpr std::uint64_t most_tried = 10'000;
-    const StudyRuns runs(study);
-    for (std::uint64_t i = 0; i < std::min(runs.count(), most_tried); ++i)
-        if (auto run = runs.at(i))
-            return run;
-    return std::nullopt;
-}
-
-/// Moves a fault that has no line from the netlist to the study, because the netlist may not exist. The message then
-/// begins with the netlist's path.
-void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
-    if (!fault.location.file || fault.location.line > 0)
-        return;
-    const std::string message = fault.location.file->path() + ": " + fault.message;
-    fault.location = fault_of_whole(study, "").location;
-    fault.message = message;
-}
-
-CheckedFile check_netlist_of(const Study& study, const std::filesystem::path& path, const Catalogue& catalogue) {
-    ReadOptions read = study.read;
-    read.make_netlist = occam::netlist_of_configuration;
-    const auto run = first_run(study);
-    CheckedFile checked = check_netlist(study.netlist, catalogue, run ? run->set : Overrides{}, read);
-    for (Diagnostic& each : checked.diagnostics)
-        put_in_study(each, path);
-    checked.included.push_back(study.netlist);
-    checked.summary = fmt::format("{}: {} of {}\n", path.string(), counted(study.count(), "run"), study.netlist);
-    return checked;
-}
-
-CheckedFile check_study(const std::filesystem::path& path, const Catalogue& catalogue) {
-    CheckedFile checked;
-    try {
-        checked = check_netlist_of(read_study(path.string()), path, catalogue);
-    } catch (const RefusedText& refused) {
-        checked.diagnostics = refused.diagnostics();
-    } catch (const UserError& refused) {
-        checked.diagnostics = {fault_of_whole(path, refused.what())};
-    }
-    checked.language = "study";
-    return checked;
-}
-
 } // namespace
+
+Diagnostic fault_of_whole(const std::filesystem::path& path, std::string message, std::string hint) {
+    auto file = std::make_shared<const SourceFile>(path.string(), "");
+    return {Severity::error, std::move(message), {std::move(file), 0, 0}, std::move(hint), {}};
+}
+
+CheckedFile check_netlist(const std::filesystem::path& path, const Catalogue& catalogue, const Overrides& set,
+                          const ReadOptions& read) {
+    ReadResult result = read_netlist(path, catalogue, set, read);
+    CheckedFile checked{
+        .language = "netlist", .diagnostics = std::move(result.diagnostics), .not_shown = std::move(result.not_shown)};
+    checked.names = occam::is_configuration(path) ? NamesOf::occam : NamesOf::netlist;
+    if (!result.network) {
+        checked.included = read_syntax(load_input(path).file, read.include_folders).included;
+        return checked;
+    }
+    checked.included = result.network->included_paths;
+    checked.summary = summary_of(*result.network);
+    if (result.network->nodes.empty() && result.network->processes.empty())
+        checked.diagnostics.push_back(fault_of_whole(
+            result.network->source_path, "the netlist is empty",
+            fmt::format("a netlist declares processors and processes; {} generate writes an example", program_name())));
+    return checked;
+}
 
 bool is_study(const std::filesystem::path& path) { return lower_case(path.extension().string()) == ".toml"; }
 

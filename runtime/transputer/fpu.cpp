@@ -3,6 +3,8 @@
 #include <array>
 #include <cfenv>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 
 namespace placedpar::transputer {
@@ -32,19 +34,17 @@ struct RealResult {
     bool error = false;
 };
 
-/// Converts a REAL32 NaN or infinity to another length, with the same sign and the same first bits of the fraction.
-template <typename T>
-RealPattern<T> widened(std::uint32_t bits) {
-    const RealPattern<float> narrow(bits);
-    constexpr int shift = RealPattern<T>::fraction_bits - RealPattern<float>::fraction_bits;
-    return RealPattern<T>(RealPattern<T>::exponent_mask | typename RealPattern<T>::Word(narrow.fraction()) << shift)
-        .with_sign(narrow.negative());
-}
+/// left op right, for rounded().
+struct Arithmetic {
+    RealOperation operation;
 
-template <typename T>
-RealResult<T> made(MadeNan nan) {
-    return {widened<T>(std::uint32_t(nan)), true};
-}
+    template <typename T>
+    T operator()(T left, T right) const {
+        return computed_on_host(operation, left, right);
+    }
+};
+
+#ifdef FE_OVERFLOW
 
 /// Sets the host's rounding mode for the life of this object, and notices overflow.
 class HostRounding {
@@ -67,9 +67,75 @@ template <typename T, typename Operand, typename Operation>
 [[gnu::noinline]] RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
     volatile Operand first = left, second = right;
     const HostRounding host(mode);
-    volatile T result = operation(Operand(first), Operand(second));
+    volatile T result = T(operation(Operand(first), Operand(second)));
     const T value = result;
     return {RealPattern<T>::of(value), host.overflow()};
+}
+
+#else
+
+// WebAssembly rounds to nearest, and has no flag for overflow. There, a long double has 113 bits of fraction.
+
+/// Returns what a sum lacks that was rounded to a long double; 0 for other operations. Their results are longer than a
+/// double wherever they differ from it.
+template <typename Operation>
+long double rest_of_sum(const Operation&, long double, long double, long double) {
+    return 0;
+}
+inline long double rest_of_sum(const Arithmetic& of, long double left, long double right, long double sum) {
+    if (of.operation != RealOperation::add && of.operation != RealOperation::subtract)
+        return 0;
+    const long double added = of.operation == RealOperation::add ? right : -right, rounded_part = sum - left;
+    return (left - (sum - rounded_part)) + (added - rounded_part);
+}
+
+/// Returns the sign of a sum that is exactly zero, in the mode `minus`: it is negative unless both terms are +0.
+template <typename Operation>
+bool is_negative_zero(const Operation&, long double, long double) {
+    return false;
+}
+inline bool is_negative_zero(const Arithmetic& of, long double left, long double right) {
+    if (of.operation != RealOperation::add && of.operation != RealOperation::subtract)
+        return false;
+    return std::signbit(left) || std::signbit(right) != (of.operation == RealOperation::subtract);
+}
+
+/// Returns an operation's result in a rounding mode; error means overflow. Moves the result nearest to the exact one to
+/// its neighbour if the exact result is on the other side.
+template <typename T, typename Operand, typename Operation>
+RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
+    const T nearest = T(operation(left, right));
+    const long double exact = operation(static_cast<long double>(left), static_cast<long double>(right));
+    long double beyond = exact - nearest;
+    if (beyond == 0)
+        beyond = rest_of_sum(operation, left, right, exact);
+    const bool may_fall = mode == Rounding::minus || (mode == Rounding::zero && exact > 0);
+    const bool may_rise = mode == Rounding::plus || (mode == Rounding::zero && exact < 0);
+    T result = nearest;
+    if (beyond < 0 && may_fall)
+        result = std::nextafter(nearest, -HUGE_VALF);
+    else if (beyond > 0 && may_rise)
+        result = std::nextafter(nearest, HUGE_VALF);
+    else if (exact == 0 && mode == Rounding::minus && is_negative_zero(operation, left, right))
+        result = -T{0};
+    const long double limit = std::ldexp(1.0L, std::numeric_limits<T>::max_exponent);
+    return {RealPattern<T>::of(result), std::isfinite(exact) && (std::isinf(result) || std::abs(exact) >= limit)};
+}
+
+#endif
+
+/// Converts a REAL32 NaN or infinity to another length, with the same sign and the same first bits of the fraction.
+template <typename T>
+RealPattern<T> widened(std::uint32_t bits) {
+    const RealPattern<float> narrow(bits);
+    constexpr int shift = RealPattern<T>::fraction_bits - RealPattern<float>::fraction_bits;
+    return RealPattern<T>(RealPattern<T>::exponent_mask | typename RealPattern<T>::Word(narrow.fraction()) << shift)
+        .with_sign(narrow.negative());
+}
+
+template <typename T>
+RealResult<T> made(MadeNan nan) {
+    return {widened<T>(std::uint32_t(nan)), true};
 }
 
 /// Returns the NaN that results from two operands, at least one of which is a NaN.
@@ -116,7 +182,7 @@ RealResult<float> shortened(double value, Rounding mode) {
         const auto result = RealPattern<float>::of(float(value));
         return {result, result.infinite()};
     }
-    return rounded<float>(mode, value, value, [](double each, double) { return float(each); });
+    return rounded<float>(mode, value, value, [](auto each, auto) { return each; });
 }
 
 template <typename T>
@@ -129,7 +195,7 @@ RealResult<T> root(RealPattern<T> of, Rounding mode) {
         return {of, true};
     if (mode == Rounding::nearest)
         return {RealPattern<T>::of(std::sqrt(of.value()))};
-    return rounded<T>(mode, of.value(), of.value(), [](T each, T) { return std::sqrt(each); });
+    return rounded<T>(mode, of.value(), of.value(), [](auto each, auto) { return std::sqrt(each); });
 }
 
 /// Returns the exact remainder of left divided by right.
@@ -193,9 +259,7 @@ RealResult<T> combined(RealOperation operation, Rounding mode, RealPattern<T> le
         return {signed_nan(operation, left, right), true};
     if (auto nan = invalid(operation, left, right))
         return made<T>(*nan);
-    const auto computed = rounded<T>(mode, left.value(), right.value(), [operation](T first, T second) {
-        return computed_on_host(operation, first, second);
-    });
+    const auto computed = rounded<T>(mode, left.value(), right.value(), Arithmetic{operation});
     const bool error = !left.finite() || !right.finite() || (operation == RealOperation::divide && right.zero());
     return {computed.pattern, computed.error || error};
 }
@@ -212,10 +276,7 @@ double value_with_whole_fraction(const Real& real) {
 /// bit is set if it is not exact.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
-    const auto compute = [&](Rounding each) {
-        return rounded<double>(each, first, second,
-                               [operation](double x, double y) { return computed_on_host(operation, x, y); });
-    };
+    const auto compute = [&](Rounding each) { return rounded<double>(each, first, second, Arithmetic{operation}); };
     const auto cut = compute(Rounding::zero), up = compute(Rounding::plus), down = compute(Rounding::minus);
     const bool is_exact = up.pattern.word() == down.pattern.word();
     const RealPattern<double> odd(cut.pattern.word() | std::uint64_t(!is_exact));

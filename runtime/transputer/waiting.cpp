@@ -182,7 +182,7 @@ public:
         for (auto first = holders_.begin(); first != holders_.end();) {
             const auto end = std::find_if(first, holders_.end(),
                                           [&](const Holder& each) { return each.workspace != first->workspace; });
-            add_at_channels({first, end});
+            add_at_channels({&*first, static_cast<std::size_t>(end - first)});
             first = end;
         }
         add_without_guards();

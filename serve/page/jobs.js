@@ -1,11 +1,14 @@
-// Jobs of the server: each job is one request, which waits for its answer. Closing the request ends the job.
+// Jobs: each job is one request to the server, which waits for its answer. Closing the request ends the job. A page
+// without a server defines answerHere, which answers in place of the server (tools/webassembly).
 "use strict";
 
 const nameOfPage = crypto.getRandomValues(new Uint32Array(3)).join("-");
 let jobs = 0;
 
-/** Returns the server's answer. Shows the job's place in the queue until the answer arrives. */
+/** Returns the answer to a job. Shows the job's place in the server's queue until the answer arrives. */
 async function answerOf(job, signal, says = () => {}) {
+  if (globalThis.answerHere)
+    return answerHere(job, signal, says);
   const name = `${nameOfPage}-${++jobs}`;
   let ended = false;
   const watch = setInterval(async () => {

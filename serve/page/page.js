@@ -88,7 +88,7 @@ async function work(task) {
     finish(sentenceOn(answer));
   } catch (error) {
     if (isOwn())
-      finish(error.name === "AbortError" ? "Stopped." : `The server does not answer: ${error.message}`);
+      finish(error.name === "AbortError" ? "Stopped." : `There is no answer: ${error.message}`);
   }
 }
 
@@ -131,7 +131,7 @@ async function showLink(otherwise = () => {}) {
 
 async function begin() {
   const get = path => fetch(path).then(answer => answer.json());
-  [examples, exercises, catalogue] = await Promise.all(["/examples", "/exercises", "/catalogue"].map(get));
+  [examples, exercises, catalogue] = await Promise.all(["examples", "exercises", "catalogue"].map(get));
   listExamples();
   byId("exercises").append(...exercises.map(each => new Option(`${each.number} ${each.title}`, each.number)));
   if (location.hash.length > 1)

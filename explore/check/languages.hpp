@@ -1,0 +1,18 @@
+#pragma once
+
+#include "explore/check/check_file.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace placedpar {
+
+/// Reads and checks a netlist or a configuration.
+CheckedFile check_netlist(const std::filesystem::path&, const Catalogue&, const Overrides& set, const ReadOptions&);
+/// Reads and checks a study, and its netlist with the settings of the first run.
+CheckedFile check_study(const std::filesystem::path&, const Catalogue&);
+
+/// Returns an error of a whole file, which has no line.
+Diagnostic fault_of_whole(const std::filesystem::path&, std::string message, std::string hint = "");
+
+} // namespace placedpar
