@@ -1,5 +1,6 @@
 #include "explore/check/languages.hpp"
 
+#include "explore/check/check_file.hpp"
 #include "explore/study/study_file.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "text/counted.hpp"

@@ -1,11 +1,13 @@
 #pragma once
 
-#include "explore/check/check_file.hpp"
+#include "netlist/read.hpp"
 
 #include <filesystem>
 #include <string>
 
 namespace placedpar {
+
+struct CheckedFile; // explore/check/check_file.hpp
 
 /// Reads and checks a netlist or a configuration.
 CheckedFile check_netlist(const std::filesystem::path&, const Catalogue&, const Overrides& set, const ReadOptions&);

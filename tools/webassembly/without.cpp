@@ -1,5 +1,6 @@
 // What the rooms need and WebAssembly lacks: threads, and the reader of studies.
 
+#include "explore/check/check_file.hpp"
 #include "explore/check/languages.hpp"
 #include "explore/workers.hpp"
 
