@@ -1,0 +1,71 @@
+"""Tests the options --set that change a VAL of a program in occam, and the commands that treat a program as a netlist."""
+
+import pathlib
+import re
+import tempfile
+import unittest
+
+from program import placedpar
+
+TEXT = """VAL INT n IS 3:
+VAL []BYTE greeting IS "hi":
+VAL [2]BYTE fixed IS "ab":
+VAL REAL32 scale IS 1.5 (REAL32):
+VAL INT twice IS n * 2:
+PROC main (CHAN OF BYTE keyboard, screen, error)
+  [n]INT x:
+  VAL INT inside IS 1:
+  SEQ
+    SEQ i = 0 FOR SIZE greeting
+      screen ! greeting[i]
+    SEQ i = 0 FOR twice
+      screen ! '.'
+    SEQ i = 0 FOR SIZE x
+      screen ! fixed[i \\ 2]
+    IF
+      scale > 2.0 (REAL32)
+        screen ! '!'
+      TRUE
+        SKIP
+    screen ! '*n'
+:
+"""
+
+
+class Vals(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / "vals.occ").write_text(TEXT, encoding="ascii")
+
+    def ask(self, command, *options, status=0):
+        done = placedpar(command, "vals.occ", *options, folder=self.folder)
+        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        return done.stderr if status else done.stdout
+
+    def test_a_setting_changes_all_that_the_program_computes_from_the_val(self):
+        for settings, printed in (((), "hi......aba"), (("n=1",), "hi..a"),
+                                  (("greeting=good bye", "scale=3", "fixed=xy"), "good bye......xyx!")):
+            with self.subTest(settings=settings):
+                options = [word for each in settings for word in ("--set", each)]
+                self.assertTrue(self.ask("run", *options).startswith(printed + "\n"))
+
+    def test_other_settings_are_refused_with_the_reason(self):
+        for setting, reason in (("m=1", 'no val, attribute or parameter "m"'), ("inside=2", '"inside"'), ("twice=x", 'unknown name "x"'),
+                                ("fixed=abc", "a text must have exactly this size"), ("n=4000000000", "INT holds whole numbers from"),
+                                ("n=1.5", "in the program its value is 3"), ("n=-1", "vals.occ:7:")):
+            with self.subTest(setting=setting):
+                self.assertIn(reason, self.ask("run", "--set", setting, status=1))
+
+    def test_a_program_is_swept_and_explained_like_a_netlist(self):
+        rows = re.findall(r"^(\d) +1 +([\d.]+)$", self.ask("sweep", "n=1,2"), re.MULTILINE)
+        self.assertEqual([row[0] for row in rows], ["1", "2"])
+        self.assertLess(float(rows[0][1]), float(rows[1][1]))
+        self.assertRegex(self.ask("explain"), r"root +[\d.]+ %")
+
+    def test_a_program_is_not_shown_as_a_netlist_that_could_not_be_read(self):
+        self.assertIn("compile it: placedpar compile vals.occ", self.ask("show", status=1))
+        self.assertTrue(self.ask("show", "--format", "svg").startswith("<svg"))
+
+
+if __name__ == "__main__":
+    unittest.main()
