@@ -50,7 +50,7 @@ class Vals(unittest.TestCase):
                 self.assertTrue(self.ask("run", *options).startswith(printed + "\n"))
 
     def test_other_settings_are_refused_with_the_reason(self):
-        for setting, reason in (("m=1", 'no val, attribute or parameter "m"'), ("inside=2", '"inside"'), ("twice=x", 'unknown name "x"'),
+        for setting, reason in (("m=1", 'no val, attribute or parameter "m"'), ("inside=2", '"inside"'), ("twice=x", 'the name "x" is undefined'),
                                 ("fixed=abc", "a text must have exactly this size"), ("n=4000000000", "INT holds whole numbers from"),
                                 ("n=1.5", "in the program its value is 3"), ("n=-1", "vals.occ:7:")):
             with self.subTest(setting=setting):
