@@ -41,7 +41,7 @@ void require_apart_from_inputs(const std::filesystem::path& output, const Networ
 
 void require_drawing(const ShowOptions& options) {
     if (options.software && options.format != "svg")
-        throw UserError("--software works only with the drawing: --format svg --software");
+        throw UserError("--software needs the output format svg: write --format svg --software");
 }
 
 ExitCode show(const ShowOptions& options) {
