@@ -241,7 +241,8 @@ struct Fault {
 /// Describes a value that an option set in place of the netlist's value.
 struct SetByOption {
     std::string name, value;           ///< as typed by the user
-    std::vector<std::string> elements; ///< elements whose attribute or parameter was set; empty: the name is a val
+    std::vector<std::string> elements; ///< elements whose attribute or parameter was set; empty: the option set a
+                                       ///< constant (`val`)
 };
 
 /// Describes the services that the hosts of booted nodes offer to their programs.
