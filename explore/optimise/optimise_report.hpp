@@ -25,7 +25,7 @@ struct Optimum {
 };
 
 /// Returns which machines of the course to show, as indices: the best few machines for one cost, the front for two
-/// costs. Of machines with equal costs, only one is shown.
+/// costs. If several machines have equal costs, only one is shown.
 std::vector<std::size_t> best_of(const SearchCourse&);
 
 /// Returns the minimised measures, followed by the study's other measures. REQUIRES: the study has a search.

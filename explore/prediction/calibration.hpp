@@ -79,8 +79,8 @@ std::string print_calibration(const Calibration&);
 /// Cycles of `this_core` in a nanosecond.
 inline constexpr double cycles_in_a_nanosecond = 10;
 
-/// Returns the name of the constant (`val`) that holds the cost of a problem: "error_costly_work_100" for "costly(work
-/// = 100)".
+/// Returns the name of the constant (`val`) that holds the cost of a problem, such as "error_costly_work_100" for the
+/// problem "costly(work = 100)".
 std::string val_of_problem(const std::string& what, const std::string& problem);
 
 } // namespace placedpar

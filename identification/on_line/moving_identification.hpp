@@ -23,7 +23,8 @@ struct Recognition {
 
 /// Identifies the compliances of a machine that moves (thesis 3.3). Recognises the configuration of each sample and the
 /// links into which oil flows, and searches with the population set of these links (Figure 3.13). Whenever the
-/// configuration or the links change, each set that was in use until then is searched for a round (SetSearch::round()).
+/// configuration or the links change, the search of each set that was in use until then makes a round
+/// of generations (SetSearch::round()).
 class MovingIdentification {
 public:
     /// Returns the settings of a search for this number of links.

@@ -62,7 +62,7 @@ private:
 };
 
 /// The interpolation between readings can change a compliance by up to this share. Standard errors do not include this
-/// error.
+/// change.
 inline constexpr double model_share = 0.02;
 
 /// Returns the mean of independent results, weighted by their standard errors and model_share.
