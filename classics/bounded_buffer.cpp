@@ -1,5 +1,6 @@
 // A bounded buffer (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 5.1). As in Hoare's paper and in
-// occam, an output cannot be a guard, so the customer sends a request before the buffer outputs a packet.
+// occam, an output cannot be a guard. So the buffer outputs a packet only after a request, which csp.customer sends:
+// this process stands between the buffer and a consumer.
 
 #include "classics/kinds.hpp"
 

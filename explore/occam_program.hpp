@@ -59,9 +59,10 @@ std::optional<std::uint64_t> bytes_of_size(const std::string& text);
 /// Returns a netlist with one transputer that the file boots. In mode stop, a process may read beyond the memory just
 /// before it stops; the netlist makes such a read harmless.
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
-/// Returns the maker of netlists from occam. It makes a netlist from a configuration, and from a program, which it
-/// compiles for the machine and which boots one transputer. Options can set the VALs at the outermost level of the
-/// file. For a program, the maker throws as compile_occam(), and throws UserError if the memory is too small.
+/// Returns a function that makes a netlist from a file in occam. A configuration becomes the netlist that it describes.
+/// A program is compiled for the machine, and becomes a netlist with one transputer, which it boots. Options can set
+/// the VALs at the outermost level of the file. For a program, the function throws as compile_occam() does, and throws
+/// UserError if the memory is too small.
 NetlistMaker netlist_maker(const ProgramMachine&, const WarningSink&);
 
 } // namespace placedpar

@@ -64,11 +64,11 @@ Catalogue kinds_with(const Settings& settings, const ProblemRegistry& problems) 
     return catalogue;
 }
 
-/// A setting to which the netlist gives another value than the identification.
+/// A parameter of a process whose value in the netlist differs from the setting of the identification.
 struct Difference {
     const ProcessInstance* process;
-    std::string name;
-    Value ours;
+    std::string name; ///< name of the parameter and of the setting
+    Value ours;       ///< value of the setting
 };
 
 std::optional<Difference> first_difference(const Network& network, const Settings& settings, std::size_t samples) {
@@ -129,8 +129,9 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
     return read;
 }
 
-/// Reads the netlist with the settings. If the netlist gives a parameter another value, the val with the name of the
-/// setting is set; without such a val the netlist is refused.
+/// Reads the netlist with the settings as defaults. While the value of a parameter in the netlist differs from the
+/// setting with the same name, gives the value of the setting to the constant (`val`) with this name, and reads the
+/// netlist again. Throws RefusedInput if there is no such constant, if an option sets it, or if a difference remains.
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     ReadResult read = read_with(settings, netlist.parsed, netlist.overrides, problems);
@@ -156,7 +157,7 @@ Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemR
     return std::move(*read.network);
 }
 
-/// Returns the samples to be searched. Throws UserError if the samples are not consecutive.
+/// Returns the samples that the processes evaluate. Throws UserError if the samples are not consecutive.
 std::vector<Sample> searched_samples(const ComplianceSearch& prepared) {
     std::vector<Sample> record;
     for (const hydraulics::CircuitSample& sample : prepared.samples) {

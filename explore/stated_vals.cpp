@@ -20,7 +20,7 @@ std::string text_between(const SourceFile& file, const Token& first, const Token
     return {begin, file.line(last.end.line).data() + (last.end.column - 1)};
 }
 
-/// Adds the vals of a file that are outside of blocks; options cannot set other vals.
+/// Adds the constants (`val`) of a file that are outside of blocks; options cannot set other constants.
 void add_vals(Vals& vals, const std::string& path) {
     const std::shared_ptr<const SourceFile> file = load_source(path).file;
     const std::vector<Token> tokens = tokens_of(file);

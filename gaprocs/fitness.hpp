@@ -11,9 +11,9 @@ namespace placedpar {
 ///
 /// The sum must not depend on which process evaluates which part of the window, nor on the order in which the parts are
 /// added. So each term is rounded to a multiple of 2^-20 and limited to +-2^23. A sum of at most 1024 such terms is a
-/// multiple of 2^-20 and at most 2^33 in size, so a double holds it exactly. INVARIANT: at most `exact_fitness_terms`
-/// terms give the same sum, bit for bit, however they are divided and ordered. Rounding changes a term by at most 5e-7,
-/// which is small beside B = 400.
+/// multiple of 2^-20 and at most 2^33 in size, so a double holds it exactly. INVARIANT: the sum of up to
+/// `exact_fitness_terms` terms is the same, bit for bit, in whatever groups and in whatever order they are added.
+/// Rounding changes a term by at most 5e-7, which is small beside B = 400.
 inline constexpr double fitness_quantum = 0x1p-20;
 inline constexpr double fitness_term_limit = 0x1p23;
 inline constexpr std::size_t exact_fitness_terms = 1024;

@@ -32,9 +32,10 @@ struct ComplianceSearch {
 /// Returns the resolution of the spool's sensor.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Prepares the search for the compliances that the question asks for. Throws UserError if the links do not belong to
-/// one coupled group of the configuration. For the outlet side, also throws UserError if a link other than the boom is
-/// asked for, or if areas_from is AreasFrom::areas. Throws UnfitRecord if the record lacks a needed channel.
+/// Prepares the search for the compliances that the question asks for. Throws UserError unless all links are in one
+/// group that the configuration couples (hydraulics::coupled_groups()). For the outlet side, also throws UserError if a
+/// link other than the boom is asked for, or if areas_from is AreasFrom::areas. Throws UnfitRecord if the record lacks
+/// a needed channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

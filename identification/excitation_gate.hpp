@@ -4,9 +4,10 @@
 
 namespace placedpar::identification {
 
-/// Stops the search while a link's pressure changes too slowly over the window, because the search would then follow
-/// the noise. The gate opens at a sufficient slope of the pressure, or at a sufficient flow into the compliance. The
-/// second condition admits a soft hose, whose pressure rises slowly.
+/// The gate decides whether the search for a link's compliance may run. It is open while the link's pressure changes
+/// fast enough over the window, or while enough oil flows into the compliance. The second condition admits a soft hose,
+/// whose pressure rises slowly. Otherwise the gate is shut: the search would follow the noise, so the estimate of the
+/// compliance stays unchanged (frozen).
 struct ExcitationGate {
     double slope_psi_per_s = 800; ///< least rms slope; we chose it so that with up to medium noise, 9 of 10 estimates
                                   ///< are right to within 10 %

@@ -25,7 +25,8 @@ struct LinkIdentified {
     /// The compliance that fits the last window best, found by trying every string; nullopt if the strings are longer
     /// than exhaustive_bits, or if this was not tried.
     std::optional<double> optimum = {};
-    std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`, in codes
+    std::optional<double> codes_from_optimum = {}; ///< distance of the answer from `optimum`: number of steps of
+                                                   ///< the coding between them
     std::vector<Flag> flags = {};                  ///< empty if nothing is unusual
 
     bool flagged(FlagKind) const;

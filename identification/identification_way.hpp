@@ -18,7 +18,7 @@ struct IdentificationWay {
     std::size_t bits = CircuitProblem::usual_bits; ///< bits per compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
-    std::optional<ExcitationGate> gate; ///< nullopt: no gate, as in the thesis
+    std::optional<ExcitationGate> gate; ///< nullopt: the search always runs, as in the thesis
 };
 
 /// Returns the settings of chapter 3: natural binary, no elite, one search over the 0.4 s of the transient.

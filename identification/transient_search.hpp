@@ -40,8 +40,8 @@ struct AnswerInTime {
 /// Throws UnfitRecord if there are too few samples for the first generation.
 void require_samples(std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way);
 
-/// Runs one search over the samples. Unlike run_traditional(), it has a gate, and it empties the window at a gap in the
-/// record. Throws what require_samples() throws.
+/// Runs one search over the samples. Unlike run_traditional(), it stops while the gate is shut (excitation_gate.hpp),
+/// and it empties the window at a gap in the record. Throws what require_samples() throws.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

@@ -27,7 +27,8 @@ struct NetworkAddress {
 /// if the port is a number outside the range of ports.
 NetworkAddress network_address(const std::string& name);
 
-/// Returns the addresses of a host name. Throws a UserError whose message begins with `name`.
+/// Returns the addresses of the host and the port. If they cannot be found, throws a UserError whose message begins
+/// with `name`.
 std::unique_ptr<addrinfo, void (*)(addrinfo*)> addresses_of(const std::string& name, const NetworkAddress&);
 
 } // namespace placedpar::iserver

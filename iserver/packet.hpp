@@ -51,7 +51,8 @@ private:
 /// Reads the fields of a request, in order. A field beyond the request's end reads as 0, or "", and makes good() false.
 class RequestFields {
 public:
-    /// Begins at the tag. REQUIRES: the request outlives this object, and the texts that it returns.
+    /// Begins at the tag. REQUIRES: the bytes of the request stay valid while this object, or a text that text()
+    /// has returned, is used.
     explicit RequestFields(ByteView request) : rest_(request) {}
 
     std::uint8_t byte() { return static_cast<std::uint8_t>(number(1)); }

@@ -15,9 +15,9 @@ struct Block {
 };
 
 /// Divides the nodes into blocks, so that each node is in one block. Subscripts and wires determine the shapes of a
-/// block. Two dimensions make a grid; one dimension makes a line, or a ring if a wire joins its ends. A hypercube is
-/// drawn as a cube or a torus, cube-connected cycles with a circle at each corner. Nodes that are all wired to one
-/// other node make a circle around that node.
+/// block. Two dimensions make a grid; one dimension makes a line, or a ring if a wire joins its ends. A hypercube of
+/// three dimensions is drawn as a cube, any other hypercube as a grid. Cube-connected cycles are drawn as a hypercube
+/// with a circle of nodes at each corner. Nodes that are all wired to one other node make a circle around that node.
 std::vector<Block> blocks_of(const Network&, const Wiring&);
 
 } // namespace placedpar::picture

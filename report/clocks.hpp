@@ -7,7 +7,8 @@
 
 namespace placedpar {
 
-/// Returns a table with the drift of each rank's clock, and the greatest error with which the clock was compared.
+/// Returns a table of the ranks' clocks: how far each clock drifted from the clock of rank 0 during the run, and the
+/// greatest possible error of a comparison of the two clocks.
 Table clocks_of(const std::vector<RankClock>&);
 
 } // namespace placedpar

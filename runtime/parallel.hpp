@@ -20,9 +20,10 @@ struct Component {
     Priority priority;
 };
 
-/// Runs the components as processes on the running process's executive, and waits until all have ended. As in occam, a
-/// process with an executive starts all components but the last, and runs the last itself before the others get their
-/// turn. If a component throws, the simulation ends, and its run rethrows the exception.
+/// Runs the components as processes on the executive of the running process, such as its processor, and waits until all
+/// have ended. If the running process has an executive, it starts all components but the last, and runs the last itself
+/// before the others get their turn, as in occam. Without an executive, the components begin in their order. If a
+/// component throws, the simulation ends, and its run rethrows the exception.
 void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
 /// Returns the priority of the running process, which its components inherit.

@@ -1,6 +1,7 @@
 #include "app/command.hpp"
 #include "app/options/common_options.hpp"
 #include "runtime/transputer/assembler.hpp"
+#include "text/counted.hpp"
 #include "text/diagnostic.hpp"
 #include "text/load_source.hpp"
 #include "text/output_file.hpp"
@@ -95,7 +96,7 @@ ExitCode assemble_file(const AssembleOptions& options) {
         throw RefusedInput(render(source.problems));
     const BootableProgram made = bootable(source, *transputer::model_named(options.processor));
     write_whole(options.out, made.file);
-    print_out(fmt::format("{}: {} bytes for address #{:X}, {}\n{}", options.out, made.program.bytes.size(),
+    print_out(fmt::format("{}: {} for address #{:X}, {}\n{}", options.out, counted(made.program.bytes.size(), "byte"),
                           made.program.origin, made.loaded, options.listing ? made.program.listing() : ""));
     return ExitCode::success;
 }

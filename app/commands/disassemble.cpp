@@ -53,8 +53,8 @@ ExitCode disassemble_file(const DisassembleOptions& options) {
     const std::vector<std::uint8_t> file = read_bootable(options.file);
     const transputer::FileRange range = typed_range(options, file.size());
     print_out(fmt::format("{}: {}, disassembled for a {}\n"
-                          "+: position in the file. ?: no code that the loader starts leads to these bytes, so they "
-                          "may be data. The last "
+                          "+: position in the file. ?: these bytes may be data, because no path from the start of the "
+                          "code to them was found. The last "
                           "column has the cycles of a block, with code and data on the chip.\n",
                           options.file, counted(file.size(), "byte"), options.processor));
     std::string text;

@@ -103,8 +103,8 @@ void add_diagnosis(Options& command, DiagnosisSettings& diagnosis) {
     add("--gate", diagnosis.gate.slope_psi_per_s, "PSI/S", {0, 1e6},
         "an estimate is frozen while the rms slope of the pressure is less than this");
     add("--inconsistent-over", diagnosis.inconsistent_over, "FRACTION", {0.01, 100},
-        "estimates of a link are flagged if two population sets give compliances that differ by more than this "
-        "fraction");
+        "estimates of a link are flagged if its compliances, found together with different other links, differ by "
+        "more than this fraction");
     add("--stale-after", diagnosis.stale_after_s, "S", {0.01, 1e9},
         "estimates that are older than this are not used in cross-checks");
 }

@@ -45,7 +45,7 @@ void require_apart_from_inputs(const std::filesystem::path& output, const Networ
 
 void require_drawing(const ShowOptions& options) {
     if (options.software && options.format != "svg")
-        throw UserError("--software works only with the drawing: --format svg --software");
+        throw UserError("--software needs the output format svg: write --format svg --software");
 }
 
 /// Throws UserError if the network would be printed as a netlist that could not be read again: a netlist names bootable

@@ -13,11 +13,11 @@
 
 namespace placedpar {
 
-/// The options of a command that runs transputers which execute code: the options of the host and, for a program
-/// without a netlist, of its transputer.
+/// The options of a command that runs code on emulated transputers. They describe the host, which boots and serves the
+/// transputers. For a program without a netlist, they also describe the single transputer that runs the program.
 struct BootedOptions : ProgramMachine {
     std::string folder;
-    std::optional<std::string> keys; ///< no value: keys come from the terminal or standard input
+    std::optional<std::string> keys; ///< not set: keys come from PlacedPar's terminal or standard input
     std::vector<std::string> environment;
     std::uint64_t write_limit_megabytes = 64;
     std::vector<std::string> arguments; ///< command-line arguments of the program
@@ -29,15 +29,15 @@ void add_machine(Options&, BootedOptions&, const std::string& heading);
 /// Declares the options for the host alone.
 void add_host(Options&, BootedOptions&, const std::string& heading);
 
-/// Returns the services of the host for its program, except the terminal. Throws UserError for a variable that is set
-/// twice.
+/// Returns the services that the host offers to its program, except the terminal. Throws UserError if an option sets an
+/// environment variable a second time.
 HostServices services_of(const BootedOptions&);
 
-/// Returns a function that makes the terminal of a program. This terminal presses the keys of the option --keys;
-/// without the option, it is the terminal or the standard input of PlacedPar. Throws UserError if the keys of the
-/// option are wrong. `interrupted` returns whether to end a wait for a key; it is called while a terminal exists.
-/// `unread` is called if the program's output cannot be written, because the process that reads it has ended. If
-/// `uses_standard_input` is false, only the keys of the option are pressed.
+/// Returns a function that makes the terminal at which a booted program reads keys and writes to the screen. If the
+/// option --keys is given, the program reads the keys that it lists. Otherwise it reads the keys of PlacedPar's own
+/// terminal or standard input, or, if `uses_standard_input` is false, no keys. Throws UserError if the text of --keys
+/// is wrong. `interrupted` returns whether to end a wait for a key; it is called while the program's terminal exists.
+/// `unread` is called if the program's output cannot be written, because the process that reads it has ended.
 std::function<std::shared_ptr<iserver::Terminal>()> terminal_for(const BootedOptions&,
                                                                  std::function<bool()> interrupted,
                                                                  std::function<void()> unread,

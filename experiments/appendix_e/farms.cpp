@@ -56,7 +56,7 @@ Comparison under_way_table(const StudyReplay& study) {
     return comparison;
 }
 
-/// Plots the figures of a table over the number of slaves, with a curve for each form of the farm.
+/// Plots the figures of a table against the number of slaves, with a curve for each form of the farm.
 Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::string& measured,
                  const std::string& title) {
     Panel panel{.title = title, .x = {.label = "slaves"}, .y = {.label = fmt::format("{} [ms]", measured), .from = 0}};

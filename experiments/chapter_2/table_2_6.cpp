@@ -93,7 +93,7 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    // The table ends at 60 in^3/s, so most of these flows are beyond the table.
+    // The table ends at 60 in^3/s. Most flows with a spool error are greater, so they are extrapolated from the table.
     add_more_flow("more flow for +0.02 in", 0.02, 3);
     add_more_flow("more flow for +0.01 in", 0.01, 1.5);
     add_rows(comparison, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});
@@ -167,7 +167,7 @@ constexpr FitFigure fit_figures[]{
      .tolerance = 0.01},
 };
 
-/// Residuals in 1e-4 in, computed independently of this program.
+/// Residuals of the spool's position in units of 0.0001 inch, computed independently of this program.
 using Residuals = std::array<double, 9>;
 constexpr Residuals known_fitted{-0.61, -0.22, -0.29, 0.65, 1.38, 0.07, -0.47, -0.50, -0.12};
 constexpr Residuals known_rounded{-0.39, -0.24, -0.62, 0.82, 1.29, -0.37, -0.35, -0.66, -0.65};
@@ -216,7 +216,7 @@ Series tabled_flow(int psi, int colour) {
     return points;
 }
 
-/// Plots the flow over the spool at the three pressures, with the table's entries.
+/// Plots the flow against the spool's position at the three pressures, with the table's entries.
 Panel flow_panel() {
     Panel panel{.title = "Flow into the boom's cylinders in the steady state",
                 .x = {"spool [in]", boom_dead_band_in, 0.3},
@@ -236,7 +236,7 @@ Series error_series(const SteadyFlowPoint& point) {
     });
 }
 
-/// Plots the effect of a spool error on flows of 40, 50 and 60 in^3/s.
+/// Plots how an error of the spool's position changes flows of 40, 50 and 60 in^3/s.
 Panel error_panel() {
     Panel panel{"What an error of the spool does to the flow, at 1630 psi",
                 {"error of the spool [in]", -0.03, 0.03},

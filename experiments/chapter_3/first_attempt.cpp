@@ -257,7 +257,7 @@ Comparison slow_comparison() {
     return comparison;
 }
 
-/// Plots the compliance over the uncorrected offset.
+/// Plots the compliance against the uncorrected offset.
 Plot plot_of_offsets(std::uint64_t seed) {
     Series fit{"least squares", {}}, search{"search", {}, Stroke::points};
     for (int i = -25; i <= 15; ++i) {

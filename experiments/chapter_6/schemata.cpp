@@ -140,7 +140,8 @@ std::string length_row(std::size_t length) {
     return length == 0 ? "order 1" : fmt::format("order 2, defining length {}", length);
 }
 
-/// Adds the counts divided by their bounds. The upper end of the 95 % interval must be at least `least_of_bound`.
+/// Adds the counts divided by their bounds. The upper end of the quotient's 95 % interval must be at least
+/// `least_of_bound`.
 void add_bounds(Comparison& comparison, const SchemaStudy& study, SchemaFit fit) {
     std::string name = study.name;
     for (std::size_t length = 0; length < schema_bits; ++length) {
@@ -198,7 +199,7 @@ Comparison compare_survival(const SchemaStudy& study) {
     return comparison;
 }
 
-/// Returns a curve of the quotients over the defining length, with their intervals.
+/// Returns a curve that shows the quotients against the defining length, with their intervals.
 Series quotients(const SchemaStudy& study, CountedFigure under) {
     Series series{.name = study.name};
     for (std::size_t length = 1; length < schema_bits; ++length) {

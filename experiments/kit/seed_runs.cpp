@@ -42,7 +42,7 @@ std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& 
     Study study;
     study.function = [&](const StudyRun& each) { return with_names(run(seeds[each.seed])); };
     study.products = {{.axes = {{"run", {StudyValues("run", fmt::format("\"{}\"", what))}}}}};
-    study.first_seed = 0; // the number of the first record; the seed of a record is derived from its number
+    study.first_seed = 0; // the study's seeds are indices in `seeds`
     study.seeds = seeds.size();
     StudySweep sweep(study, context.results);
     const std::size_t missing = sweep.missing().runs;

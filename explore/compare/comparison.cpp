@@ -124,7 +124,8 @@ private:
                 result_.following.insert(each.section);
     }
 
-    /// Returns network A with the vals of B. If A is refused with these vals, returns A with its own vals.
+    /// Returns network A with the constants (`val`) of B. If A is refused with these constants, returns A with its own
+    /// constants.
     Network read_with_vals() const {
         try {
             return load_silently(a_.parsed, with(vals_));
@@ -155,7 +156,7 @@ private:
         return with_settings(swapped, of_a);
     }
 
-    /// Returns the difference without the elements that A lacks, because the vals of B may declare more elements.
+    /// Returns the difference without the elements that A lacks, because the constants of B may declare more elements.
     SettingDifference within_a(const SettingDifference& difference) const {
         const std::set<std::string> known = names_of_elements(result_.a);
         SettingDifference own{difference.name, difference.a, difference.b, {}, {}};
@@ -256,8 +257,8 @@ private:
     const Interruption& interruption_;
     const std::function<void(std::size_t, std::size_t)>& progress_;
     NetlistComparison result_;
-    Overrides vals_;                   ///< vals of B whose values in A differ
-    std::optional<Network> with_vals_; ///< A with these vals
+    Overrides vals_;                   ///< constants (`val`) of B whose values in A differ
+    std::optional<Network> with_vals_; ///< A with these constants
 };
 
 } // namespace

@@ -47,9 +47,11 @@ struct NetlistComparison {
     std::string name_a, name_b;
     Network a, b;
     RunReport report_a, report_b;
-    std::vector<SettingDifference> settings; ///< vals, and settings that differ although the vals have been made equal
+    std::vector<SettingDifference> settings; ///< constants (`val`) that differ, and settings that differ even if both
+                                             ///< netlists have the same constants
     std::vector<StructureDifference> structure;
-    std::set<StructureDifference::Section> following; ///< sections that differ only because the vals differ
+    std::set<StructureDifference::Section> following; ///< sections that differ only because the constants
+                                                      ///< differ
     std::vector<OneChange> alone;                     ///< runs of A, each with one difference
     std::optional<OneChange> together; ///< A with all settings of B; empty if fewer than two settings differ
 

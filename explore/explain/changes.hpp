@@ -27,9 +27,10 @@ using DeclaredWith = std::function<Declared(const Overrides&)>;
 /// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Each change applies to all parts of a kind, to the processors of an
 /// array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip memory. Constants
 /// in cycles or bytes are reduced by 10 %, halved, and set to 0. The cycles of single processes are reduced in the same
-/// way, for the ten busiest processes that share a processor with others. Vals that determine the number of processes
-/// or processors are raised by one. If the network has more than 256 nodes, only the second of the three changes (twice
-/// as fast, or halved) is tried for each part, and only the three busiest parts of each kind are changed alone.
+/// way, for the ten busiest processes that share a processor with others. Constants that determine the number of
+/// processes or processors are raised by one. If the network has more than 256 nodes, only the second of the three
+/// changes (twice as fast, or halved) is tried for each part, and only the three busiest parts of each kind are changed
+/// alone.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

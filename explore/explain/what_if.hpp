@@ -21,7 +21,9 @@ struct Answer {
     Ending ending = Ending::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
-    std::string why = "";     ///< if the run takes at least 0.1 % longer: the activity whose time on the path grew most
+    /// If the changed run takes at least 0.1 % longer than the unchanged run: the activity whose time on the critical
+    /// path grew most. "" otherwise, or if the changed path is too long to be recorded.
+    std::string why = "";
 
     bool completed() const { return refused.empty() && ending == Ending::completed; }
 };

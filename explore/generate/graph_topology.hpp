@@ -12,9 +12,10 @@ namespace placedpar::generate {
 bool is_graph_file(const std::string& topology);
 
 /// Reads the file that the request names. Each node becomes a processor, each edge a wire; two edges of a directed
-/// graph that join the same nodes in opposite directions are one wire. Attributes that a processor or a wire can have
-/// are copied, and a comment lists the others. Throws UserError if a node has more edges than a transputer has links,
-/// unless the request splits nodes and the node has at most six edges.
+/// graph that join the same nodes in opposite directions are one wire. Attributes that the netlist language has for
+/// a processor or a wire are copied. A comment in the generated netlist lists the names of other attributes. Throws
+/// UserError if a node has more edges than a transputer has links, unless the request splits nodes and the node has at
+/// most six edges.
 Topology topology_of_graph(const TopologyRequest&, const Catalogue&);
 
 } // namespace placedpar::generate

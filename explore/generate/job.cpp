@@ -37,9 +37,9 @@ const std::vector<std::string> each_processor{"rep i = 0 for nodes"};
 
 std::string use(const char* kind, const char* process) { return fmt::format("use \"{}\" for {};\n", kind, process); }
 
-/// Returns the vals that divide a population of 120 among islands. An island has at least `least` individuals. `least`
-/// must be at least 4, for the immigrants that can arrive together from four neighbours, and greater than the island's
-/// number of slaves.
+/// Returns statements that declare the constants (`val`) by which a population of 120 is divided among islands. An
+/// island has at least `least` individuals. `least` must be at least 4, for the immigrants that can arrive together
+/// from four neighbours, and greater than the island's number of slaves.
 std::string population_of(const char* islands, const char* least) {
     return fmt::format("val population 120 / {0} > {1} ? 120 / {0} : {1}; /* of each island */\n"
                        "val exchange_every 3;           /* generations between exchanges */\n",

@@ -14,13 +14,13 @@ namespace placedpar::generate {
 struct Job {
     bool has_host = false;  ///< whether there is a process `host`, which the netlist must place
     std::string about;      ///< a description, such as "Islands: one on every processor. ..."
-    std::string vals;       ///< lines, each with a newline
-    std::string statements; ///< lines, each with a newline
+    std::string vals;       ///< declarations of constants, such as "val samples 6;", in lines with a newline
+    std::string statements; ///< other statements, in lines with a newline
 };
 
 /// The statements that set the search problem of a job's processes.
 struct ProblemStatements {
-    std::string vals;   ///< lines, each with a newline
+    std::string vals;   ///< declarations of constants, in lines with a newline
     std::string host;   ///< parameters of the host
     std::string search; ///< parameters of each master or island, besides population and workload
     std::string each;   ///< parameters of each process that has a parameter "problem": "", or "problem = problem"

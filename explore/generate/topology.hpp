@@ -30,8 +30,8 @@ struct HostWires {
 };
 
 /// A topology of a given size, as fragments of the netlist language that declare and connect the array `t` of
-/// processors. The fragments depend on the vals, so that --set can change the size. By default processors have one
-/// subscript, and a wire leads from the first processor to the host.
+/// processors. The fragments depend on constants (`vals`), so that --set can change the size. By default processors
+/// have one subscript, and a wire leads from the first processor to the host.
 struct Topology {
     std::string about;             ///< "A ring of 8 processors"
     std::vector<std::string> vals; ///< statements such as "val rows 4;"; one declares `nodes`, the number of processors

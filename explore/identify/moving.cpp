@@ -117,8 +117,8 @@ WholeWay moving_way(const IdentifySettings& settings, std::size_t links) {
 
 void require_no_fixed_settings(const IdentifySettings& settings) {
     if (settings.window || !settings.areas.empty() || !settings.offset.empty())
-        throw UserError("--window, --areas-from and --offset need --configuration: without it the configuration is "
-                        "recognised from the areas as read, and all samples of a population set count");
+        throw UserError("--window, --areas-from and --offset need --configuration: without it, the valve's areas "
+                        "are used as read, and a search uses all samples in which its links move together");
 }
 
 LinkSet links_that_move(const IdentifySettings& settings) {
@@ -140,7 +140,7 @@ IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, Reco
     const std::vector<SetAnswer> sets = moving.sets();
     if (sets.empty())
         throw UnfitRecord(
-            fmt::format("no link moves forward for long enough; a population set needs at least {}, each of 0.16 s",
+            fmt::format("no link moves forward for long enough; a search needs at least {}, each of 0.16 s",
                         counted(SetSearch::fewest_samples, "sample")));
     const std::vector<LinkIdentified> links = combined_links(sets);
     output.print(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +

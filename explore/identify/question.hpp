@@ -16,7 +16,7 @@
 
 namespace placedpar {
 
-// The ways to identify (ways.hpp) use these functions.
+// The ways to identify compliances (ways.hpp) use these functions.
 
 /// Reads links by name, separated by commas. Throws UserError for an unknown link, and for a link that is named twice.
 hydraulics::LinkSet links_of(const std::string& links);
@@ -36,9 +36,10 @@ std::optional<hydraulics::AreasFrom> areas_asked(const IdentifySettings& setting
 hydraulics::Side side_asked(const IdentifySettings& settings);
 /// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
-/// Returns the channels that each link needs: the pressure of the chosen side, the angle, and the source of the areas.
-/// Columns have the names that `columns` and `columns_from` of the settings give. `links` receives the channels that
-/// are present and returns the links to identify.
+/// Returns the channels of the record that each link needs: the pressure of the chosen side, the angle, and the
+/// channels from which the areas of the valve's orifices are computed (hydraulics::AreasFrom). Columns have the names
+/// that `columns` and `columns_from` of the settings give. `links` receives the channels that are present and returns
+/// the links to identify.
 hydraulics::RecordNeeds needs_of(const IdentifySettings& settings,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 

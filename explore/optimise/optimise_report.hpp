@@ -25,7 +25,7 @@ struct Optimum {
 };
 
 /// Returns which machines of the course to show, as indices: the best few machines for one cost, the front for two
-/// costs. Of machines with equal costs, only one is shown.
+/// costs. If several machines have equal costs, only one is shown.
 std::vector<std::size_t> best_of(const SearchCourse&);
 
 /// Returns the minimised measures, followed by the study's other measures. REQUIRES: the study has a search.
@@ -42,8 +42,8 @@ std::string print_comparison(const Optimum&);
 /// Prints how long each activity takes on the critical paths of two runs, the greatest difference first.
 std::string print_paths(const std::vector<PathPart>& start, const std::vector<PathPart>& best);
 
-/// Returns the plot. With one measure, it shows the best value so far over the number of machines simulated; with two,
-/// all machines and the front.
+/// Returns the plot. With one measure, it shows the best value so far against the number of machines simulated; with
+/// two, all machines and the front.
 Plot optimum_plot(const Optimum&, const std::string& title);
 
 /// Returns the `placedpar run` command for a run with these settings and the study's first seed.

@@ -72,14 +72,15 @@ Calibration measure_computer(const CalibrationSettings&);
 void help_to_measure(Ranks&);
 
 /// Returns the text of a file that netlists can include. The file describes the computer: a type `this_core` of nodes,
-/// a type `this_memory` through which cores communicate, and vals for the costs of searches. If ranks were measured,
-/// also the types `this_rank` and `this_network`.
+/// a type `this_memory` through which cores communicate, and constants (`val`) for the costs of searches. If ranks were
+/// measured, also the types `this_rank` and `this_network`.
 std::string print_calibration(const Calibration&);
 
 /// Cycles of `this_core` in a nanosecond.
 inline constexpr double cycles_in_a_nanosecond = 10;
 
-/// Returns the name of the val with the cost of a problem: "error_costly_work_100" for "costly(work = 100)".
+/// Returns the name of the constant (`val`) that holds the cost of a problem, such as "error_costly_work_100" for the
+/// problem "costly(work = 100)".
 std::string val_of_problem(const std::string& what, const std::string& problem);
 
 } // namespace placedpar

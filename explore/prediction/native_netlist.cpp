@@ -89,7 +89,7 @@ private:
         return declared(val_of_problem(what, *problem),
                         fmt::format("the file has no cost of the problem \"{}\"", *problem));
     }
-    /// Returns the name of a val. Refuses a calibration that does not declare it.
+    /// Returns the name of a constant (`val`). Refuses a calibration that does not declare this constant.
     std::string declared(const std::string& val, const std::string& otherwise) const {
         if (!can_use(fmt::format("val probe {};", val)))
             refuse(otherwise);

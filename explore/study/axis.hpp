@@ -37,7 +37,7 @@ private:
     std::uint64_t count_ = 1;
 };
 
-/// A val, attribute or parameter that a study varies, named as for --set, with its values.
+/// A constant (`val`), attribute or parameter that a study varies, named as for --set, with its values.
 struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;

@@ -17,8 +17,8 @@ public:
 
     /// Returns the same settings in the chosen spelling.
     Overrides of(Overrides set);
-    /// Calls the function for each run, with its settings in the chosen spelling. Of several runs that differ only in
-    /// spelling, only one is passed: the run that was made with the chosen spelling, if there is one.
+    /// Calls the function for each run, with its settings in the chosen spelling. If several runs
+    /// differ only in spelling, only one of them is passed: the run with the chosen spelling, if there is such a run.
     void for_each(const std::function<void(const StudyRun&, const StudyOutcome&)>&);
 
 private:

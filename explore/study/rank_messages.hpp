@@ -10,12 +10,13 @@ namespace placedpar {
 /// The messages of a sweep between rank 0, which has the results, and the other ranks, the helpers.
 ///
 ///     rank 0                      helper
-///     begin                  ->                        or stop, if there is nothing to do
-///                            <-   ask, ask ...         one more than the runs that it makes at once
-///     run                    ->                        one for each ask; none if no runs are left
-///                            <-   ended                which also asks for another run
+///     begin                  ->                        or `stop`, if there is nothing to do
+///                            <-   ask                  n + 1 times, if the helper makes n runs at a time
+///     run                    ->                        for each `ask` and `ended`; or `none`, if no run is left
+///                            <-   ended                the outcome of a run; also asks for another run
 ///     stop                   ->                        only if rank 0 is interrupted or fails
-///                            <-   gone                 its last message; or failed, if it cannot go on
+///                            <-   failed               only after an error; the helper then waits for `stop`
+///                            <-   gone                 the helper's last message
 struct RankMessage {
     enum class Kind { begin, run, none, stop, ask, ended, failed, gone } kind;
     std::string text = "";                    ///< in `begin`: digest_of() the source; in `failed`: the reason

@@ -81,8 +81,8 @@ void make_file(const std::filesystem::path& path) {
 
 std::uint64_t fingerprint_from(const std::string& text) { return parse_number<std::uint64_t>(text, 16).value(); }
 
-/// Returns all objects of the database as text. Objects of other programs, such as triggers or views, would act on our
-/// tables.
+/// Returns the definitions of all objects of the database as text. A file of results is refused if its text differs
+/// from schema_of_ours(): other programs may have added objects, such as triggers, which change what our statements do.
 std::string schema_of(store::Database& database) {
     return database.text("SELECT group_concat(type || ' ' || name || ' ' || tbl_name || ' ' || ifnull(sql, ''), '; ') "
                          "FROM (SELECT * FROM sqlite_schema ORDER BY type, name)");
@@ -290,8 +290,8 @@ void StudyResults::read_head() {
         refuse_damaged("the row of table study, or a row of table texts");
 }
 
-/// Reads the runs in their order. A run out of order is refused, so no run occurs twice, and a loop in a damaged file
-/// is detected.
+/// Reads the runs in their order. A run whose key is not above the previous key is refused, so no run occurs twice.
+/// This check also ends the reading of a damaged file whose pages refer to one another in a circle.
 void StudyResults::read_runs() {
     std::int64_t count = 0, sum = 0;
     std::pair<std::string, std::int64_t> last;

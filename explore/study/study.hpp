@@ -63,7 +63,7 @@ struct Study {
     std::vector<std::string> measures;
     Overrides relative_to =
         {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
-    std::optional<StudySearch> search = {}; ///< empty: the study is only swept
+    std::optional<StudySearch> search = {}; ///< empty: all combinations are run
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
     Prices prices = {};                     ///< empty: runs have no measure "price"

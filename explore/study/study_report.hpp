@@ -17,9 +17,9 @@ std::string runs_csv(const StudySummary&);
 /// figures do not depend on the seed.
 std::string print_rank_tests(const StudySummary&);
 
-/// Plots the measures over the axis `over`. If `over` is "", chooses the axis with the most values among the axes that
-/// have only numbers. There is a panel for each measure, and a curve with 95 % intervals for each combination of the
-/// other axes. Throws UserError if there is nothing to draw, or if there are more curves than can be told apart.
+/// Plots the measures against the axis `over`. If `over` is "", chooses the axis with the most values among the axes
+/// that have only numbers. There is a panel for each measure, and a curve with 95 % intervals for each combination of
+/// the other axes. Throws UserError if there is nothing to draw, or if there are more curves than can be told apart.
 Plot summary_plot(const StudySummary&, const std::string& over = "");
 
 /// Returns a self-contained page of HTML with the plot if it can be drawn, the table, and a description of the runs.

@@ -22,8 +22,8 @@ std::size_t RouletteWheel::sector(double turn) const { return sectors({turn}).fr
 
 std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const {
     // A ball is in the first sector that ends beyond it, so never in a sector of width 0. The last sector ends beyond
-    // every ball: a ball is at most 1 - 2^-32 turns from the start, so its product with the last end is below the last
-    // end, even when rounded.
+    // every ball: a ball is at most 1 - 2^-32 turns from the start, so its distance in turns, multiplied by the end of
+    // the last sector, is below that end, even when rounded.
     for (double& ball : balls)
         ball *= ends_.back();
     // This is std::upper_bound for all balls side by side. For a single ball, each halving would wait for the previous

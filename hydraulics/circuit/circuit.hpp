@@ -43,12 +43,13 @@ struct Junction {
 /// Junctions that share flow, upstream before downstream.
 using Circuit = std::vector<Junction>;
 
-/// Returns the links of a configuration in groups that are hydraulically coupled, ordered by their first link. A search
-/// for the compliance of one link must find the compliances of the link's whole group together.
+/// Returns the coupled groups of a configuration, ordered by their first link. Two links are in one coupled group if
+/// oil that one link does not take can flow on to the other, so that the flow into each depends on both. A search for
+/// the compliance of one link must therefore find the compliances of all active links of the group together.
 std::vector<LinkSet> coupled_groups(Configuration);
 
-/// Returns the circuit of the active links of one group. An inactive link is left out: its spool rests, its inlet is
-/// shut and its bypass is wide open. REQUIRES: `active` is a non-empty subset of one coupled group.
+/// Returns the circuit of the active links of one coupled group. An inactive link is left out: its spool rests, its
+/// inlet is shut and its bypass is wide open. REQUIRES: `active` is a non-empty subset of one coupled group.
 Circuit circuit_of(Configuration, LinkSet active);
 Circuit boom_circuit();
 /// Returns the drain side of a link as a circuit (equation 3.4): a junction without a pump, at the pressure of the

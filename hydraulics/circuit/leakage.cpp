@@ -18,7 +18,7 @@ double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::s
         squares += slope_psi_per_s[i] * slope_psi_per_s[i];
     }
     if (!(squares > 0))
-        throw std::invalid_argument("the pressure does not change: a leak has no apparent compliance");
+        throw std::invalid_argument("every pressure slope is 0, expected at least one other slope");
     return products / squares;
 }
 

@@ -23,8 +23,8 @@ inline double leakage_in3_per_s(double leak_in3_per_s_psi, double inlet_psi, dou
 ///   C_i' - C_i = Q_l / (dP_i/dt),
 /// for which equation 2.8 gives the lower bound. Over a window, the C_i' with the least error satisfies
 ///   C_i' - C_i = sum(Q_l dP_i/dt) / sum((dP_i/dt)^2).
-/// Throws std::invalid_argument if the numbers of flows and slopes differ, or if all slopes are 0, so that a leak has
-/// no apparent compliance.
+/// Throws std::invalid_argument if the numbers of flows and slopes differ, or if all slopes are 0, so that the quotient
+/// is undefined.
 double apparent_compliance_change(std::span<const double> leak_in3_per_s, std::span<const double> slope_psi_per_s);
 
 } // namespace placedpar::hydraulics

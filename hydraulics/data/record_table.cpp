@@ -35,7 +35,8 @@ std::string print_number(double value, int decimals) {
     return zero && text.front() == '-' ? text.substr(1) : text;
 }
 
-/// Returns whether a number could have commas that separate thousands, as "1,567" and "-12,000" could.
+/// Returns whether the commas in a number may separate thousands, as in "1,567" or "-12,000". In "1,567" the comma may
+/// also be a decimal comma.
 bool has_thousands(const std::string& text) {
     static const std::regex thousands("[-+]?[1-9][0-9]{0,2}(,[0-9]{3})+");
     constexpr std::size_t longest = 40; // the library's matcher needs much stack for a long text

@@ -25,7 +25,8 @@ concept ModalSystem = requires(S system, const std::vector<double>& state, std::
 /// 2. If it is unclean, bisect to the longest clean step, take that step, and continue from its end.
 /// 3. If even a step of length resolution_s is unclean, take this step: it hops across the event. The length of hops
 ///    doubles until a step is clean again, so that time advances even with endless events.
-/// 4. When the limit of pieces is reached, for example because a valve chatters, step to the end regardless of events.
+/// 4. The steps and hops of one call of advance_to() are its pieces. When the number of pieces reaches a limit, for
+///    example because a valve chatters, step to the end regardless of events.
 ///
 /// Two events that cancel each other between the stages of one step are not seen. Choose steps shorter than the time
 /// between such events.
@@ -39,8 +40,8 @@ public:
     /// is far below the resolution of any reading.
     static constexpr double resolution_s = 1e-12;
 
-    /// The largest number of pieces into which one call is divided, and the largest average number over many calls. An
-    /// event takes about 5 pieces.
+    /// The largest number of pieces (steps and hops) in one call of advance_to(), and the largest average number in
+    /// many calls. An event takes about 5 pieces.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)
@@ -119,8 +120,8 @@ private:
     boost::numeric::odeint::runge_kutta4<State> stepper_;
     Point now_, next_;
     double time_s_;
-    double allowance_ = most_pieces;
-    double tried_s_ = 0; ///< length of the step to `next_`; 0: none has been tried from the present state
+    double allowance_ = most_pieces; ///< number of pieces that may still be made
+    double tried_s_ = 0;             ///< length of the step to `next_`; 0: none has been tried from the present state
 };
 
 } // namespace placedpar::hydraulics

@@ -20,7 +20,7 @@
 
 namespace placedpar::identification {
 
-/// The deviations of the links of a population set in one movement, in the order of links_of().
+/// The deviations of the links of a population set (population_sets.hpp) in one movement, in the order of links_of().
 struct JudgedMovement {
     hydraulics::LinkSet set;
     /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.

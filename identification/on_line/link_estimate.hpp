@@ -11,7 +11,7 @@ namespace placedpar::identification {
 
 struct DiagnosisSettings; // identification/on_line/settings.hpp
 
-/// Estimates the compliance of one link of a population set.
+/// Estimates the compliance of one link of a population set (population_sets.hpp).
 ///
 /// A transient is a run of samples during which the link's pressure changes enough to determine the compliance. The
 /// estimate changes during transients and is frozen between them. The estimate is settled when the best individuals of
@@ -28,7 +28,7 @@ public:
         double time_s = 0;                    ///< time of the sample that last changed the estimate
         double settled_time_s = 0;            ///< time of the sample that last changed the newest settled value
         double excitation_psi_per_s = 0;      ///< rms slope of the inlet pressure over the window
-        bool excited = false;                 ///< whether the gate was open at the newest sample
+        bool excited = false;                 ///< whether the gate (excitation_gate.hpp) was open at the newest sample
         bool fits = true;                     ///< whether the best individual had positive fitness
         bool settled = false;                 ///< whether the estimate has settled in the present transient
         std::size_t generations_in_transient = 0;

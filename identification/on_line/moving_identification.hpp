@@ -23,7 +23,8 @@ struct Recognition {
 
 /// Identifies the compliances of a machine that moves (thesis 3.3). Recognises the configuration of each sample and the
 /// links into which oil flows, and searches with the population set of these links (Figure 3.13). Whenever the
-/// configuration or the links change, the searches of the sets in use until then make a round.
+/// configuration or the links change, the search of each set that was in use until then makes a round
+/// of generations (SetSearch::round()).
 class MovingIdentification {
 public:
     /// Returns the settings of a search for this number of links.
@@ -61,7 +62,8 @@ private:
     std::size_t readings_ = 0;
     hydraulics::Configuration before_{};
     std::vector<hydraulics::LinkSet> in_use_;
-    std::vector<Pending> pending_; ///< samples whose last readings may still be assigned to another configuration
+    std::vector<Pending> pending_; ///< samples that wait, because their last readings may still prove to be of a
+                                   ///< different configuration
     std::map<hydraulics::LinkSet, std::size_t> next_; ///< for each set, the first reading that its next sample may use,
                                                       ///< so that samples do not overlap
     std::map<hydraulics::LinkSet, SetSearch> searches_;

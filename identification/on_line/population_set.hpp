@@ -17,7 +17,8 @@ struct Individual; // gaprocs/policies/individual.hpp
 
 namespace placedpar::identification {
 
-/// The population of a set of links, with an estimate for each link. Population and estimates survive changes of
+/// One of the sets of links in Figure 3.13 of the thesis (population_sets.hpp), with the population that searches the
+/// compliances of these links together, and with an estimate for each link. Population and estimates survive changes of
 /// configuration.
 ///
 /// The random numbers depend on the seed, the names of excavator and set, and the number of samples seen. The results
@@ -44,9 +45,9 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window. If the window is long enough and the gate is open for at least one link,
-    /// makes `search.window.trials` generations. Returns the number of generations made. REQUIRES: the problem has the
-    /// links of this set.
+    /// Adds the newest sample to the window. If the window is long enough, and the gate (excitation_gate.hpp) is open
+    /// for at least one link, makes `search.window.trials` generations. Returns the number of generations made.
+    /// REQUIRES: the problem has the links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not
@@ -56,8 +57,8 @@ public:
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Restores the bits of links without excitation from the former population, since the generations have changed
-    /// these bits at random.
+    /// Gives the bits of each link whose gate is shut the values that they had in `former`, the population before the
+    /// newest generations. These generations have changed the bits at random.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);

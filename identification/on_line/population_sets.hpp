@@ -10,7 +10,8 @@
 
 namespace placedpar::identification {
 
-/// Returns the fifteen population sets of Figure 3.13: one for each non-empty set of links, in the figure's order.
+/// A population set is a set of links whose compliances one population searches together. Returns the fifteen
+/// population sets of Figure 3.13 of the thesis: all non-empty sets of the four links, in the figure's order.
 const std::array<hydraulics::LinkSet, 15>& all_population_sets();
 
 /// Returns the name in Figure 3.13, "P1a" to "P4". REQUIRES: the set is not empty.
@@ -22,8 +23,8 @@ std::vector<hydraulics::Link> links_of(hydraulics::LinkSet);
 /// Returns the index of the link in links_of(set). REQUIRES: set.contains(link).
 std::size_t position_in(hydraulics::LinkSet set, hydraulics::Link link);
 
-/// Returns the sets to search while these links are active: the active links of each coupled group of the
-/// configuration. The sets are ordered by name.
+/// Returns the population sets that are searched while these links are active. Each set has the active links of one
+/// group that the configuration couples (hydraulics::coupled_groups()). The sets are ordered by name.
 std::vector<hydraulics::LinkSet> sets_in_use(hydraulics::Configuration, hydraulics::LinkSet active);
 
 } // namespace placedpar::identification

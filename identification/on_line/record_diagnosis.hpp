@@ -12,7 +12,8 @@
 
 namespace placedpar::identification {
 
-/// The result of a least-squares fit to a whole movement, including its rests, for one link. Verdicts use such results.
+/// The result of a least-squares fit to a whole movement, including the times at which the link rests, for one link.
+/// Verdicts use such results.
 struct WholeMovement {
     Deviation deviation; ///< deviation from a healthy link, which has the healthy compliance, no leak and no offset
     WayUnits units;

@@ -12,15 +12,16 @@ namespace placedpar::identification {
 
 struct FlowWeights; // identification/flow_weights.hpp
 
-/// One LinkSample for each link of a population set, in the order of links_of().
+/// One LinkSample for each link of a population set (population_sets.hpp), in the order of links_of().
 using SetSample = std::vector<hydraulics::LinkSample>;
 
-/// The search for the compliances of a population set in one configuration of the main valve. The string codes the
-/// links' compliances in the order of Figure 3.13, each in Gray code. So the strings of a population have the same
+/// The search for the compliances of a population set's links, in one configuration of the main valve. The string codes
+/// the links' compliances in the order of Figure 3.13, each in Gray code. So the strings of a population have the same
 /// meaning in all configurations. The circuit's junctions may have another order, which this class hides.
 class SetProblem {
 public:
-    /// REQUIRES: `links` is a non-empty subset of one coupled group of the configuration.
+    /// REQUIRES: `links` is not empty, and all its links are in one group that the configuration couples
+    /// (hydraulics::coupled_groups()).
     SetProblem(hydraulics::Configuration configuration, hydraulics::LinkSet links,
                const hydraulics::FlowConstants& flow, std::size_t bits);
 

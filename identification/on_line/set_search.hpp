@@ -61,8 +61,8 @@ private:
     std::size_t rounds_ = 0, fresh_ = 0; ///< fresh: samples since the last round
 };
 
-/// The greatest relative error of a compliance that comes from the interpolation between readings. Standard errors do
-/// not contain it.
+/// The interpolation between readings can change a compliance by up to this share. Standard errors do not include this
+/// change.
 inline constexpr double model_share = 0.02;
 
 /// Returns the mean of independent results, weighted by their standard errors and model_share.

@@ -11,7 +11,7 @@
 
 namespace placedpar::identification {
 
-/// Checks the links of a population set for faults, movement by movement.
+/// Checks the links of a population set (population_sets.hpp) for faults, movement by movement.
 class SetWatch {
 public:
     /// Holds everything that is needed to restore the object. Links are in the order of links_of(set).

@@ -94,8 +94,8 @@ public:
 
     /// Returns whether a movement determines a link's deviations, assuming a steady leak. A movement does not determine
     /// them if a deviation has a standard error of more than `most_uncertain` units (half of the compliance, a leak of
-    /// 12 % of the steady flow, or 1/80 in of spool). In such a movement the pressure hardly changes, and the samples
-    /// are mostly noise of unknown size.
+    /// 12 % of the steady flow, or 1/80 inch of the spool's position). In such a movement the pressure hardly changes,
+    /// and the samples are mostly noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. Ignores a movement that had impossible readings or is not evidence.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);

@@ -131,7 +131,7 @@ struct KeptJson {
             at_member(std::string(field.key()), [&] {
                 auto links = identification::set_named(field.key());
                 if (!links)
-                    throw std::runtime_error("this population set does not exist");
+                    throw std::runtime_error("this is not a set of links, expected P1a to P4");
                 read(values[*links], field.value());
             });
     }

@@ -384,8 +384,9 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
 
 void Dispatcher::tell(const NetlistAnswer& answer) {
     const std::string text = print_netlist_answer(answer);
-    say_(fmt::format("{}: answer of the netlist for {}, samples from {:.2f} to {:.2f} s: {}", answer.machine,
-                     words_of(answer.set), answer.from_s, answer.to_s, text.substr(0, text.find('\n'))));
+    say_(fmt::format("{}: answer of the netlist's processes for {}, samples from {:.2f} to {:.2f} s: {}",
+                     answer.machine, words_of(answer.set), answer.from_s, answer.to_s,
+                     text.substr(0, text.find('\n'))));
     tell_watchers(answer.machine, netlist_line(answer),
                   [](const Hello& hello) { return hello.answers != Answers::none; });
 }

@@ -4,10 +4,12 @@
 #include "netlist/kinds/own_code.hpp"
 #include "netlist/network/names.hpp"
 #include "runtime/hardware/router.hpp"
+#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -121,12 +123,12 @@ void check_room_for_packets(Completion& c) {
         const std::int64_t room = channels[i] * hardware::Route::room;
         const std::int64_t memory = stated_memory_bytes(node);
         if (memory > 0 && room > memory)
-            c.reporter.warning(node.declared,
-                               fmt::format("\"{}\" has {} bytes of memory, but the packets of the {} channels that "
-                                           "end at it or pass through it need {} bytes",
-                                           node.name, memory, channels[i], room),
-                               "give the processor more memory, or route channels elsewhere by routecost or "
-                               "place p.out on LINK;");
+            c.reporter.warning(
+                node.declared,
+                fmt::format("\"{}\" has {} bytes of memory, but the packets of the channels that end at it or "
+                            "pass through it need {} bytes ({})",
+                            node.name, memory, room, counted(static_cast<std::size_t>(channels[i]), "channel")),
+                "give the processor more memory, or route channels elsewhere by routecost or place p.out on LINK;");
     }
 }
 

@@ -251,7 +251,7 @@ private:
 void complete_parameters(Completion& completion, std::size_t process) try {
     Parameters(completion, process).run();
 } catch (const StatementRefused&) {
-    // an attribute that a statement sets was refused; the error is reported
+    // an attribute that a statement sets was refused; the error has already been reported
 }
 
 } // namespace placedpar

@@ -133,9 +133,9 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way over a bus for a placement at the bus end of a master. If the output of the channel is placed there,
-/// the way leads to the next stated place, or to the receiver if this place is the last. If the input is placed there,
-/// the way leads from the sender.
+/// Returns the way over a bus for a placement at a master's connector to the bus (bus_port). If the output of the
+/// channel is placed there, the way leads to the next stated place, or to the receiver if this place is the last. If
+/// the input is placed there, the way leads from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node

@@ -93,7 +93,8 @@ struct Medium {
     /// Returns whether the device can be attached in addition to the devices that are already attached. If not, reports
     /// why. An empty function accepts every device.
     std::function<bool(const Attached&, const BusAttachment&)> takes = {};
-    /// Returns the ways over this device, without duplicates. Reports each attachment that needs a way but has none.
+    /// Returns the ways (BusWay) that lead over this device from master to slave, without duplicates. Reports each
+    /// attachment that needs a way but has none.
     std::function<std::vector<BusWay>(const Attached&, std::size_t node)> ways;
 };
 

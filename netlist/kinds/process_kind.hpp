@@ -81,7 +81,7 @@ struct ProcessKind {
     /// True if the kind is made from a source file in occam (FileKinds). The emulated transputer then executes the
     /// compiled code of its processes, and the kind has no body.
     bool is_code = false;
-    std::uint64_t text_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
+    std::uint64_t text_hash = 0; ///< hash of the source files from which the kind is made; 0 for other kinds
 
     /// Returns null if there is no port of this name.
     const PortDescription* port(std::string_view name) const;

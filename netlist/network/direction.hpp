@@ -4,7 +4,7 @@
 
 namespace placedpar {
 
-/// States in which direction messages pass through a channel's end, seen from the process or device at this end.
+/// Tells whether a channel's end is an input or an output of the process or device at this end.
 enum class Direction { input, output };
 
 /// Returns "input" or "output".

@@ -81,7 +81,8 @@ struct SwitchCrossing {
     int from_link = 0, to_link = 0;
 };
 
-/// In LinkEnd::link, this number stands for the bus end of a device, at which a way over the bus ends.
+/// In LinkEnd::link, this number stands for the connector by which a device is attached to a bus. A way over a bus
+/// (BusWay) begins at such a connector.
 inline constexpr int bus_port = std::numeric_limits<int>::max();
 /// In LinkEnd::link, this number stands for the link `config`, by which a switch is set during the run.
 inline constexpr int configuration_link = bus_port - 1;
@@ -97,10 +98,10 @@ struct BusAttachment {
     Location connected;
 };
 
-/// Describes a way over a bus: from a master to its slave, and on over a wire if the slave is a link adapter. `master`
-/// and `slave` are indices in Network::attachments.
+/// Describes a way over a bus: the path of messages from a master to a slave, and then over a wire if the slave is a
+/// link adapter.
 struct BusWay {
-    std::size_t master = nowhere, slave = nowhere; ///< indices in attachments
+    std::size_t master = nowhere, slave = nowhere; ///< indices in Network::attachments
     std::size_t wire = nowhere; ///< connection at the link adapter; nowhere: the way ends in a bus master's memory
 };
 
@@ -109,7 +110,7 @@ struct BusWay {
 struct LinkConnection {
     LinkEnd a, b;
     std::int64_t bits_per_second = 20'000'000;
-    double metres = 0;                     ///< total length of all pieces of the wire
+    double metres = 0;                     ///< total length of the wires between links and switches
     std::vector<SwitchCrossing> crossings; ///< in order from a to b
     std::string name;                      ///< name of the `connection` that wires the links; "" if none
     Location connected;
@@ -121,7 +122,8 @@ struct LinkConnection {
     int switches() const { return static_cast<int>(crossings.size()); }
 };
 
-/// Describes one wire of a connection that switches make during the run. Several connections may share the wire.
+/// Describes a wire that becomes part of a connection during the run, when a program sets switches. Several such
+/// connections may share the wire.
 struct WirePiece {
     LinkEnd a, b;                                ///< at least one end is at a switch
     std::string name;                            ///< name of its `connection`; "" if none
@@ -152,7 +154,8 @@ struct ProcessInstance {
     std::string kind;               ///< the kind that `use` names; "" if there is no `use`
     bool stand_in = false;          ///< the kind is not in the catalogue: the process cannot be run
     bool is_code = false;           ///< the process is in occam, so it is part of the image of its node
-    std::uint64_t program_hash = 0; ///< hash of the texts from which the kind is made; 0 if it is not made from a file
+    std::uint64_t program_hash = 0; ///< hash of the program's source files, if the kind is made from source files; 0
+                                    ///< for other kinds
     std::map<std::string, Value> parameters; ///< every parameter of the kind, of the type that the kind states
     std::map<std::string, Location>
         given; ///< place where the netlist gives each parameter; parameters with default values are not listed
@@ -238,7 +241,8 @@ struct Fault {
 /// Describes a value that an option set in place of the netlist's value.
 struct SetByOption {
     std::string name, value;           ///< as typed by the user
-    std::vector<std::string> elements; ///< elements whose attribute or parameter was set; empty: the name is a val
+    std::vector<std::string> elements; ///< elements whose attribute or parameter was set; empty: the option set a
+                                       ///< constant (`val`)
 };
 
 /// Describes the services that the hosts of booted nodes offer to their programs.
@@ -250,19 +254,19 @@ struct HostServices {
     bool lists_code = false; ///< counts the instructions that booted nodes execute
     bool analyses = false;   ///< shows the state of booted nodes at the end
     std::istream* steps =
-        nullptr; ///< commands for executing the code of the node with a host step by step; null: the code just runs
+        nullptr; ///< commands to a stepper, which executes the code of the booted node in steps; null: there is none
     /// Makes the terminal of a host. If the function is empty, the screen shows nothing, and no key is pressed.
     std::function<std::shared_ptr<iserver::Terminal>()> terminal = {};
     /// Answers a request at the given virtual time, in place of a server. If the function is empty, a server answers.
     std::function<iserver::Answer(std::span<const std::uint8_t>, std::chrono::microseconds)> answers = {};
     iserver::OfferedBoard* board =
-        nullptr; ///< board through which another program is the host of a node; null: the hosts are simulated
+        nullptr; ///< link over which another program boots and serves the machine; null: hosts are simulated
 };
 
 struct Network {
     std::vector<Node> nodes;
     std::vector<LinkConnection> connections; ///< the wires, then the ways over buses
-    std::vector<WirePiece> pieces;           ///< pieces of wire that are joined during the run
+    std::vector<WirePiece> pieces;           ///< wires that switches join during the run
     std::vector<BusAttachment> attachments;
     std::vector<ProcessInstance> processes;
     std::vector<NetworkChannel> channels;
@@ -284,9 +288,9 @@ std::vector<std::string> paths_of_inputs(const Network& network);
 /// Returns whether some node is booted with a file, or has an image.
 bool has_bootable_file(const Network& network);
 
-/// Returns the network as a machine executes it: without the processes in occam (ProcessInstance::is_code), and without
-/// the channels between such processes. The other channels of these processes end at the nodes, which run their own
-/// code.
+/// Returns the network as a machine executes it. The processes in occam (ProcessInstance::is_code) are then part of the
+/// programs in their nodes' memory. They are no longer listed, nor are the channels between them; their other channels
+/// end at the nodes.
 Network with_code_inside(Network network);
 
 /// Returns whether both ends of a channel are processes in occam (ProcessInstance::is_code).

@@ -116,7 +116,8 @@ void Generator::make_channels(Storage pointers, std::int64_t count) {
     });
 }
 
-/// Returns a location as a value of another type with the same dimensions.
+/// Returns the location with `type` in place of its own type. The two types have the same number of dimensions; extents
+/// that `type` leaves open are taken from the location.
 Storage Generator::seen_as(Storage location, const Type& type) {
     std::vector<Extent> extents;
     Storage rest = location;

@@ -49,7 +49,8 @@ struct WrittenWire {
     WireEnd a, b; ///< only `b` may be an edge
 };
 
-/// Describes a port of a process that is an argument of the process's instance.
+/// Describes an end of a channel: the port of a process to which the configuration passes the channel. The channel is
+/// an argument of the procedure's instance, and the port is the corresponding parameter of the procedure.
 struct ChannelEnd {
     std::size_t process = 0;            ///< index in Configured::processes
     std::size_t port = 0;               ///< index in the ports of its kind

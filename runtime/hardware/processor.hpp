@@ -20,8 +20,9 @@ namespace placedpar::hardware {
 
 /// The memory that holds a processor's messages and the other data of its processes.
 struct Memory {
-    /// The cycles of an access to a word. Outside of the chip: "external at least 3" (listing of a machine of 64
-    /// T800s). For T2s: 30 Mbyte/s at 30 MHz (IMS T225 data sheet; likewise T212, T222 and M212).
+    /// The cycles of an access to a word. `outside`, memory outside of the chip: a listing by ispy of a machine of 64
+    /// T800s says "external at least 3". `outside_of_a_t2`: a T2 moves 30 Mbyte/s at 30 MHz (IMS T225 data sheet;
+    /// likewise T212, T222 and M212).
     static constexpr Cycles on_chip{1}, outside{3}, outside_of_a_t2{2}, outside_of_a_t801{2};
 
     Cycles access = on_chip;
@@ -33,9 +34,10 @@ struct Memory {
 ///
 /// 1. A high-priority process runs until it waits or ends. When it becomes ready, it pre-empts a low-priority process
 /// at the end of the current instruction.
-/// 2. Low-priority processes run when no high-priority process can, first in, first out. After a process has run for a
-/// whole timeslice period, it goes to the back of the queue if others wait. It does so at its first descheduling point
-/// after the end of the period. So each process gets the processor shortly after the start of a period, and runs for
+/// 2. Low-priority processes run when no high-priority process can, first in, first out. The clock divides the time
+/// into timeslice periods. If other processes wait, a process goes to the back of the queue at its first descheduling
+/// point after it has had the processor for a whole period, from start to end. The next process therefore begins
+/// shortly after the start of a period. The first whole period of this process is the following one, so it runs for
 /// nearly two periods.
 /// 3. A pre-empted process continues before the other processes of its queue.
 /// 4. Between two computations or communications a program takes no time. Only the process that has the processor

@@ -138,7 +138,7 @@ private:
             const Word number = value(text, has_label);
             if (has_label)
                 fail(text, "the value of a name cannot contain a label, because labels have no address yet: use only "
-                           "numbers and names of numbers");
+                           "numbers, and names that are defined as numbers");
             define(constants_, name, number);
             text = {};
         }

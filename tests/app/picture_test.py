@@ -382,7 +382,7 @@ class Pictures(unittest.TestCase):
     def test_the_software_is_a_drawing_only(self):
         done = placedpar("show", FARM, "--software")
         self.assertEqual(done.returncode, 1)
-        self.assertEqual(done.stderr, "placedpar: --software works only with the drawing: --format svg --software\n")
+        self.assertEqual(done.stderr, "placedpar: --software needs the output format svg: write --format svg --software\n")
 
     def test_graphviz_draws_its_own_form(self):
         done = subprocess.run(["dot", "-Tsvg"], input=self.shown(EXAMPLES / "thesis/figure-e2" / "figure-e2.cfs", "dot"),

@@ -12,7 +12,7 @@ namespace placedpar {
 /// this compliance.
 double lag_that_finds(double compliance_in3_per_psi, const BoomData& data);
 
-/// Plots the compliance over the assumed a_0 for each machine, and marks the two compliances that the thesis found.
+/// Plots the compliance against the assumed a_0 for each machine, and marks the two compliances that the thesis found.
 Panel panel_of_lag(std::span<const BoomData> machines);
 
 } // namespace placedpar

@@ -14,7 +14,8 @@ struct SearchStudy {
     std::vector<double> error_percent;      ///< absolute value of the last estimate's relative error
     std::vector<double> codes_from_optimum; ///< difference between the code of the last estimate and the best code for
                                             ///< the last window
-    std::vector<double> si_codes;           ///< difference between the best codes as computed in psi and in SI units
+    std::vector<double> si_codes;           ///< difference between the best code in a computation with psi and the best
+                                            ///< code in a computation with SI units
 
     double median_percent() const;
     double ninetieth_percent() const;

@@ -12,8 +12,9 @@ Plot plot_of_states(const TwoLinkMotion& motion);
 Plot plot_of_estimated_states(const TwoLinkMotion& motion, const identification::ComplianceSearch& prepared,
                               const identification::SearchRun& run);
 
-/// Draws Figure 3.11: the compliances over the generations, estimated by the search without the gate (`plain`) and by
-/// the search with the gate (`gated`). A third panel has the slopes of the pressures at the samples of `plain`.
+/// Draws Figure 3.11: the compliances over the generations, estimated by the search without a gate
+/// (identification/excitation_gate.hpp; `plain`) and by the search with the gate (`gated`). A third panel has the
+/// slopes of the pressures at the samples of `plain`.
 Plot plot_of_compliances(const identification::ComplianceSearch& prepared, const identification::SearchRun& plain,
                          const identification::SearchRun& gated, std::size_t trials);
 

@@ -48,10 +48,10 @@ std::vector<double> study_task(const ReplayContext& context, const StaticTask& t
 ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                    std::size_t population, std::size_t generations);
 
-/// Plots the median of `taken` with its 95 % interval over the size. Leaves out sizes at which at most 90 % of the runs
-/// reach the target.
+/// Plots the median of `taken` with its 95 % interval against the size. Leaves out sizes at which at most 90 % of the
+/// runs reach the target.
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies);
-/// Plots over the size the percentage of runs that reach the target, with 95 % intervals.
+/// Plots the percentage of runs that reach the target, with 95 % intervals, against the size.
 Panel reached_panel(std::string title, Axis x, const std::vector<TaskStudy>& studies);
 
 } // namespace placedpar

@@ -99,7 +99,7 @@ TEST_CASE("a state with a missing or wrong member is refused with the member's p
             "the state is incomplete or wrong: 18 members, expected 17");
     refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is not a known name");
     refused("\"active\":\"\"", "\"active\":\"BO BU\"", "active: \"BO BU\" is not a list of links");
-    refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: this population set does not exist");
+    refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: this is not a set of links, expected P1a to P4");
     refused("\"inlet_psi\":\"\"", "\"inlet_psi\":\"1\"", "the parts of a link's readings do not fit together");
     CHECK_THROWS_AS(state_from("text", {}), std::runtime_error);
 }

@@ -201,7 +201,7 @@ class OnNetlist(ServiceTest):
         control.send(**END)
         self.assertEqual(control.receive_type("netlist")["compliance_in3_per_psi"], said["compliance_in3_per_psi"])
         self.assertEqual(silent.ask(type="ping")["type"], "configured")
-        self.assertRegex(service.stop()[1], r"digger: answer of the netlist for BO, samples from 0\.00 to 0\.7\d s: BO 0\.008\d\d in\^3/psi, "
+        self.assertRegex(service.stop()[1], r"digger: answer of the netlist's processes for BO, samples from 0\.00 to 0\.7\d s: BO 0\.008\d\d in\^3/psi, "
                                             r"0\.\d{3} s after the sample at 0\.\d\d s; keeps pace: no\n")
 
     @unittest.skipUnless(BROWSER, "no Chromium")

@@ -186,10 +186,10 @@ TEST_CASE("packets that need more than a processor's stated memory give a warnin
     CHECK(said_with(4, "(memory = 4K)").find("\"b\" has 4096 bytes of memory") != std::string::npos);
     std::string said = said_with(8, "(memory = 8K)"); // 4 packets of 260 bytes each, in 8192 bytes
     for (const char* node : {"a", "b", "c"})
-        CHECK(said.find(
-                  "warning: \"" + std::string(node) +
-                  "\" has 8192 bytes of memory, but the packets of the 8 channels that end at it or pass through it "
-                  "need 8320 bytes\n") != std::string::npos);
+        CHECK(
+            said.find("warning: \"" + std::string(node) +
+                      "\" has 8192 bytes of memory, but the packets of the channels that end at it or pass through it "
+                      "need 8320 bytes (8 channels)\n") != std::string::npos);
 }
 
 TEST_CASE("a channel placed on a wire uses that wire") {
