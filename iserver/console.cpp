@@ -76,9 +76,10 @@ void Console::read_more(bool waits) {
 std::optional<std::uint8_t> Console::next_key() {
     if (read_.empty())
         return std::nullopt;
-    const char key = read_.front();
-    read_.erase(0, 1);
-    return static_cast<std::uint8_t>(key == '\n' && !is_terminal_ ? '\r' : key);
+    const std::size_t line_end = is_terminal_ ? 0 : read_.starts_with("\r\n") ? 2 : read_.starts_with('\n') ? 1 : 0;
+    const char key = line_end > 0 ? '\r' : read_.front();
+    read_.erase(0, std::max(line_end, std::size_t{1}));
+    return static_cast<std::uint8_t>(key);
 }
 
 std::optional<std::uint8_t> Console::wait_for_key() {

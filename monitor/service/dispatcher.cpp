@@ -375,7 +375,9 @@ void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::option
                               const std::string& what) {
     client.greeted();
     if (!change)
-        throw BadMessage("alarm", fmt::format("\"{}\" has no alarm \"{}\" of {}", name.machine, name.kind, name.links),
+        throw BadMessage("alarm",
+                         fmt::format("\"{}\" has no alarm \"{}\"{}{}", name.machine, name.kind,
+                                     name.links.empty() ? "" : " of ", name.links),
                          "a present alarm, as {\"type\":\"alarms\"} lists it");
     persistence_.change_history(std::move(*change));
     say_(fmt::format("{}: alarm {} {} {} by {}", name.machine, name.kind, name.links, what, client.caller.name));

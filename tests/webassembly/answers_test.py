@@ -1,4 +1,4 @@
-"""Compares the answers of the program in WebAssembly with those of `placedpar serve --job`: every example, and each task."""
+"""Compares the answers of the program in WebAssembly with those of `placedpar serve --job`, for every example and task."""
 
 import base64
 import json
@@ -11,8 +11,9 @@ import zlib
 
 PROGRAM = os.environ["PLACEDPAR"]
 BUILD = pathlib.Path(os.environ["PLACEDPAR_WEBASSEMBLY"])  # the folder with job.js
-EXAMPLES = pathlib.Path(os.environ["PLACEDPAR_EXAMPLES"])
+EXAMPLES = json.loads((BUILD / "page/examples").read_text())
 SECONDS = 600
+WRONG = {"a.occ": "PROC main (CHAN OF BYTE keyboard, screen, error)\n  screen ! 'a\n:\n", "b.cfs": "T800 (memory = 1M) a;\nplace p on a;\n"}
 
 
 def native(job):
@@ -40,9 +41,27 @@ def comparable(answer):
 class Answers(unittest.TestCase):
     maxDiff = 2000
 
-    def compare(self, job):
-        with self.subTest(main=job["main"], do=job["do"]):
-            self.assertEqual(comparable(in_webassembly(job)), comparable(native(job)))
+    def compare(self, do, main, files=None, **more):
+        job = {"do": do, "main": main, "files": files or EXAMPLES, **more}
+        with self.subTest(main=main, do=do):
+            answer = in_webassembly(job)
+            self.assertEqual(comparable(answer), comparable(native(job)))
+            return answer
+
+    def test_every_example_runs_alike(self):
+        for main in EXAMPLES:
+            if not main.endswith(".inc"):
+                self.compare("run", main, seed=2)
+
+    def test_every_task(self):
+        for main in ("occam/sieve/sieve.occ", "occam/network/table.cfs", "csp/commstime/commstime.cfs", "occam/sixteen/sixteen.pgm"):
+            for do in ("check", "explain", "listing"):
+                self.compare(do, main)
+        for main in WRONG:
+            self.assertTrue(self.compare("check", main, WRONG)["faults"])
+            self.assertEqual(self.compare("run", main, WRONG)["ended"], "refused")
+        hello = {"a.occ": EXAMPLES["occam/hello/hello.occ"]}
+        self.assertEqual(self.compare("exercise", "a.occ", hello, exercise="1.1")["ended"], "not solved")
 
 
 if __name__ == "__main__":

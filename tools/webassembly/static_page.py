@@ -2,7 +2,7 @@
 """Writes the page of `placedpar serve` as files, which work from any web server: the jobs run in the browser.
 
 Usage: static_page.py PLACEDPAR BUILD FOLDER. PLACEDPAR is the program, of the same version as the WebAssembly program in
-the folder BUILD. FOLDER must not exist.
+the folder BUILD. Files in FOLDER are replaced.
 """
 import pathlib
 import re
@@ -30,7 +30,7 @@ def write_page(placedpar: str, build: str, folder: str) -> None:
     texts = served(placedpar)
     texts["index.html"] = texts["index.html"].replace("<script>", '<script src="here.js"></script>\n<script>', 1)
     target = pathlib.Path(folder)
-    target.mkdir(parents=True)
+    target.mkdir(parents=True, exist_ok=True)
     for name, text in texts.items():
         (target / name).write_text(text)
     for file in (PAGE / "here.js", PAGE / "worker.js", pathlib.Path(build) / "job.js", pathlib.Path(build) / "job.wasm"):

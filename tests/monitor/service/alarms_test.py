@@ -46,6 +46,7 @@ class Alarms(ServiceTest):
         self.assertGreaterEqual(seen["acknowledged_at"], listed["raised_at"])
         self.assertEqual(other.ask(type="acknowledge", **name)["alarms"], [seen])  # the first acknowledgement counts
         self.assertIn("has no alarm", other.ask(type="acknowledge", **{**name, "links": ["BU"]})["wrong"])
+        self.assertTrue(other.ask(type="acknowledge", **{**name, "links": []})["wrong"].endswith(f'has no alarm "{name["alarm"]}"'))
         _, errors = service.stop(signal.SIGKILL)
         self.assertRegex(errors, r"\dZ placedpar monitor: digger: alarm \w+ BO raised: ")
         self.assertRegex(errors, r"\dZ placedpar monitor: digger: alarm \w+ BO acknowledged by 127.0.0.1 port \d+\n")
@@ -93,6 +94,7 @@ class Alarms(ServiceTest):
         self.assertIsNotNone(self.tell(service, "acknowledge", "digger", kind, "BO")["alarms"][0]["acknowledged_at"])
         self.assertIsNotNone(self.tell(service, "shelve", "digger", kind, "boom")["alarms"][0]["shelved_until"])
         self.assertIsNone(self.tell(service, "shelve", "digger", kind, "BO", "--for", "0")["alarms"][0]["shelved_until"])
+        self.assertIn("--for has no effect", self.tell(service, "load", "--for", "1", code=1))
         self.assertIn("still has open connections: 1", self.tell(service, "forget", "digger", code=1))
         client.close()
         while self.tell(service, "load")["clients"] > 1:
