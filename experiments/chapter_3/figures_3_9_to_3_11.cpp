@@ -117,7 +117,7 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     Comparison comparison{.name = "internal states from the best individual (Figure 3.10): greatest error from the "
                                   "sixth sample on, of one search without noise",
                           .notes = "judged: the search with an elite, the first two samples skipped, and Gray code; in "
-                                   "the thesis's search, the result depends on chance\n",
+                                   "the thesis's search, chance decides\n",
                           .against = "thesis",
                           .judged = true};
     StateErrors gray = worst_errors(motion, gray_way(), seed), plain = worst_errors(motion, thesis_way(), seed);

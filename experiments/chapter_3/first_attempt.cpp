@@ -116,8 +116,8 @@ Comparison attempt_comparison(const Seeds& seeds) {
         .against = "known"};
     for (const KnownOffset& known : known_offsets)
         add_attempt(comparison, known, seeds);
-    comparison.notes = "the known figures come from an independent prototype; with -.02 in, the error of the prototype "
-                       "differs, so only the sign is judged\n";
+    comparison.notes = "the known figures come from an independent prototype; at -.02 in its error differs, so only "
+                       "the sign is judged\n";
     return comparison;
 }
 

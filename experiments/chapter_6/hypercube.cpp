@@ -122,7 +122,7 @@ Comparison table_6_2() {
     }
     comparison.notes = "own parent: A0 for the offspring A1 in equation 6.5. \"0 to integer(n/2) from A0, B0 "
                        "respectively\" holds for the nearer "
-                       "parent, not for the offspring's own parent\n";
+                       "parent, not for the own one\n";
     return comparison;
 }
 

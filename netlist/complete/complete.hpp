@@ -2,6 +2,7 @@
 
 #include "netlist/elaborate/draft.hpp"
 #include "netlist/kinds/catalogue.hpp"
+#include "netlist/language/made_netlist.hpp"
 #include "netlist/network/network.hpp"
 #include "text/reporter.hpp"
 

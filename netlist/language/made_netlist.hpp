@@ -1,12 +1,13 @@
 #pragma once
 
-#include "netlist/network/compiled_program.hpp"
 #include "netlist/network/value.hpp"
 #include "text/reporter.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,14 @@ struct PartOrigin {
     std::size_t offset = 0; ///< offset of the first character of the part
     Location place;
 };
+
+/// Holds a compiled program that boots a node.
+struct CompiledProgram {
+    std::shared_ptr<const std::vector<std::uint8_t>> bytes; ///< contents of a bootable file
+    std::shared_ptr<const SourceFile> lines;                ///< the table of source lines; null if there is none
+};
+/// Holds compiled programs by the path that the netlist names. Paths that are not in this map are read from files.
+using CompiledPrograms = std::map<std::string, CompiledProgram, std::less<>>;
 
 /// Holds a netlist that was made from a configuration or a program in another language.
 struct MadeNetlist {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "netlist/network/compiled_program.hpp"
 #include "netlist/network/direction.hpp"
 #include "netlist/network/value.hpp"
 #include "text/source.hpp"

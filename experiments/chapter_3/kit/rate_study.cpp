@@ -96,7 +96,7 @@ Comparison rate_comparison(const ReplayContext& context, const char* machine, co
         fmt::format("{} by the {}, {} noise", machine, from == AreasFrom::spool ? "spool" : "voltage", source.noise);
     Comparison comparison{
         .name = fmt::format("loggers of several rates: {}, {} machines of each kind", name, context.seeds),
-        .notes = "found and named correctly: in % of the faults found; from, to: 95 % interval (Clopper and Pearson)\n",
+        .notes = "found and named correctly: in % of those found; from, to: 95 % interval (Clopper and Pearson)\n",
         .against = "known",
         .judged = true};
     for (const LoggerRate& rate : logger_rates) {

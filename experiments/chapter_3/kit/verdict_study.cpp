@@ -221,14 +221,13 @@ Comparison verdict_comparison(const ReplayContext& context, const char* machine,
     const std::string name = fmt::format("{} by {}", machine, by);
     Comparison comparison{
         .name = fmt::format("on-line verdicts: {}, {} machines of each kind", name, context.seeds),
-        .notes =
-            std::string("found and named correctly, found but undecided: in % of the faults found\nlimit by theory: a "
-                        "test that gives 1 % "
-                        "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
-            (source.has_servo || from == AreasFrom::areas
-                 ? ""
-                 : "these records end while oil flows, so a leak that begins with a movement and an offset change "
-                   "the flow alike (correlation .999): both may be left undecided\n"),
+        .notes = std::string("found and named correctly, found but undecided: in % of those found\nlimit by theory: a "
+                             "test that gives 1 % "
+                             "of the sound machines an alarm cannot find more of the faults in 8 movements\n") +
+                 (source.has_servo || from == AreasFrom::areas
+                      ? ""
+                      : "these records end while oil flows, so a leak that begins with a movement and an offset change "
+                        "the flow alike (correlation .999): both may be left undecided\n"),
         .against = "known",
         .judged = true};
     for (const char* noise : tested_noises) {
