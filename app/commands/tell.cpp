@@ -66,7 +66,9 @@ std::string message_of(const TellOptions& options) {
     return json::serialize(message);
 }
 
-ExitCode tell(const TellOptions& options) {
+ExitCode tell(const Options& typed, const TellOptions& options) {
+    if (typed.is_given("--for") && options.words[0] != "shelve")
+        throw UserError("--for has no effect: it states how long the command shelve takes effect");
     std::string message = message_of(options);
     if (options.place.port == 0 && options.place.unix_path.empty())
         throw UserError("the monitor's address is missing: give --port N or --unix PATH");
@@ -87,11 +89,7 @@ Action declare_tell(Options& command, const std::string&) {
     add_file(command, "--token-file", options->place.token_file, "file with the token that the monitor expects");
     add_number(command, "--for", options->for_s, 0, 30 * 86400,
                "shelve: seconds without notifications of the alarm; 0 ends the shelving; default: 28800");
-    return [options, &command] {
-        if (command.is_given("--for") && options->words[0] != "shelve")
-            throw UserError("--for has no effect: it states how long the command shelve takes effect");
-        return tell(*options);
-    };
+    return [options, &command] { return tell(command, *options); };
 }
 
 } // namespace

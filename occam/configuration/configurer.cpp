@@ -47,10 +47,8 @@ Configured Configurer::run() {
     try {
         checker_.check_units();
         add_predefined();
-        for (const DeclarationBox& each : program_.declarations) {
-            visit(*each);
-            choose_val(program_, *each, choose_, reporter_);
-        }
+        for (const DeclarationBox& each : program_.declarations)
+            visit(*each), choose_val(program_, *each, choose_, reporter_);
         if (!has_config_)
             reporter_.error({program_.files.front(), 0, 0}, "the configuration has no CONFIG, so it places no process",
                             "write CONFIG, and below it PROCESSOR with an instance of a PROC");
