@@ -57,7 +57,8 @@ class InChromium:
 
     def in_frame(self, expression):
         """Evaluates an expression in the frame of the run's page, which is a process of its own when it is there."""
-        frames = [each["params"]["sessionId"] for each in self.browser.events if each.get("method") == "Target.attachedToTarget"]
+        frames = [each["params"]["sessionId"] for each in self.browser.events
+                  if each.get("method") == "Target.attachedToTarget" and each["params"]["targetInfo"]["type"] == "iframe"]
         return self.value(expression, frames[-1] if frames else self.tab)
 
     def type(self, text):

@@ -18,9 +18,11 @@ def served(placedpar: str) -> dict[str, str]:
     """Returns the page and its data by name, as a server on this computer answers."""
     server = subprocess.Popen([placedpar, "serve", "--port", "0"], stdout=subprocess.PIPE, text=True)
     try:
-        address = re.search(r"http://\S+/", server.stdout.readline())[0]
+        address = re.search(r"http://\S+/", server.stdout.readline())
+        if not address:
+            sys.exit(f"{placedpar} serve has not started")
         names = {"index.html": "", "examples": "examples", "exercises": "exercises", "catalogue": "catalogue"}
-        return {name: urllib.request.urlopen(address + path).read().decode() for name, path in names.items()}
+        return {name: urllib.request.urlopen(address[0] + path).read().decode() for name, path in names.items()}
     finally:
         server.terminate()
         server.wait()
