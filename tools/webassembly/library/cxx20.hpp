@@ -31,6 +31,11 @@ strong_ordering operator<=>(const vector<T, A>& a, const vector<T, A>& b) {
 inline namespace __fs {
 namespace filesystem {
 inline strong_ordering operator<=>(const path& a, const path& b) { return a.compare(b) <=> 0; }
+/// Takes the place of weakly_canonical(), which fails here. There are no files, so no links either.
+inline path canonical_in_memory(const path& p, error_code& error) {
+    error.clear();
+    return (p.is_absolute() ? p : "/" / p).lexically_normal();
+}
 } // namespace filesystem
 } // namespace __fs
 inline strong_ordering operator<=>(const string& a, const string& b) { return a.compare(b) <=> 0; }
@@ -51,6 +56,7 @@ requires is_floating_point_v<Real> from_chars_result from_chars(const char* begi
     return {begin + (stop - text.c_str()), errc{}};
 }
 } // namespace std
+#define weakly_canonical canonical_in_memory
 namespace std::ranges {
 template <class I, class O>
 struct in_out_result {
