@@ -89,7 +89,7 @@ Action declare_tell(Options& command, const std::string&) {
     add_file(command, "--token-file", options->place.token_file, "file with the token that the monitor expects");
     add_number(command, "--for", options->for_s, 0, 30 * 86400,
                "shelve: seconds without notifications of the alarm; 0 ends the shelving; default: 28800");
-    return [options, &command] { return tell(command, *options); };
+    return [options, command] { return tell(command, *options); };
 }
 
 } // namespace
