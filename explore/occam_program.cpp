@@ -211,10 +211,11 @@ MadeNetlist netlist_of_program(const std::string& path, const std::vector<std::f
         occam::choose_val(program, each, choose, reporter);
     };
     const auto silent = [](const std::string&) {};
+    const std::filesystem::path file = path, as_found = file.parent_path() / file.filename(); // beside the netlist
     MadeNetlist made;
     made.text = std::make_shared<const SourceFile>(path, netlist_around(path, machine));
-    made.compiled[path] = choose ? compiled_program(path, folders, machine, silent, change)
-                                 : compiled_program(path, folders, machine, warn, {});
+    made.compiled[as_found.string()] = choose ? compiled_program(path, folders, machine, silent, change)
+                                              : compiled_program(path, folders, machine, warn, {});
     made.translate_hint = hint_of_program;
     return made;
 }

@@ -49,6 +49,24 @@ class Vals(unittest.TestCase):
                 options = [word for each in settings for word in ("--set", each)]
                 self.assertTrue(self.ask("run", *options).startswith(printed + "\n"))
 
+    def test_a_val_of_an_included_file_and_any_spelling_of_the_path(self):
+        (self.folder / "count.inc").write_text("VAL INT count IS 3:\n", encoding="ascii")
+        for memory in ("", ", []INT memory"):
+            (self.folder / "host.occ").write_text(
+                '#INCLUDE "hostio.inc"\n#INCLUDE "count.inc"\n#USE "hostio.lib"\n'
+                f"PROC p (CHAN OF SP fs, ts{memory})\n  SEQ\n    so.write.int (fs, ts, count, 0)\n    so.write.nl (fs, ts)\n"
+                "    so.exit (fs, ts, sps.success)\n:\n", encoding="ascii")
+            for file in ("host.occ", ".//host.occ", self.folder / "host.occ"):
+                with self.subTest(memory=memory, file=str(file)):
+                    done = placedpar("run", file, "--set", "count=5", folder=self.folder)
+                    self.assertEqual((done.returncode, done.stdout[:2]), (0, "5\n"), done.stderr)
+
+    def test_a_study_of_a_program_is_checked_as_it_is_run(self):
+        (self.folder / "s.toml").write_text('netlist = "vals.occ"\n[set]\nn = [1, 2]\n', encoding="ascii")
+        for command in ("check", "sweep"):
+            done = placedpar(command, "s.toml", folder=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_other_settings_are_refused_with_the_reason(self):
         for setting, reason in (("m=1", 'no val, attribute or parameter "m"'), ("inside=2", '"inside"'), ("twice=x", 'the name "x" is undefined'),
                                 ("fixed=abc", "a text must have exactly this size"), ("n=4000000000", "INT holds whole numbers from"),
