@@ -21,6 +21,8 @@ struct CircuitSample {
 
     /// Returns the values of all links, one link after the other, as CircuitProblem reads them.
     std::vector<double> values() const;
+
+    friend bool operator==(const CircuitSample&, const CircuitSample&) = default;
 };
 
 /// Returns a sample for every instant of the record at which the slopes are known: two samples precede it and two

@@ -47,23 +47,23 @@ ConfigurationWatch::ConfigurationWatch(const MainValve& valve, const CrossOverLi
                                        const PerLink<double>& compliance_in3_per_psi, double period_s)
     : valve_(valve), limits_(limits), compliance_in3_per_psi_(compliance_in3_per_psi), period_s_(period_s) {
     valve_.laminar_psi = std::max(valve_.laminar_psi, laminar_psi);
-    last_.junction_psi.fill(valve_.flow.tank_psi);
-    last_.forward_s.fill(outlet_shuts_s);
+    state_.last.junction_psi.fill(valve_.flow.tank_psi);
+    state_.last.forward_s.fill(outlet_shuts_s);
 }
 
 void ConfigurationWatch::restart() {
-    recent_.clear();
-    last_.forward_s.fill(0);
+    state_.recent.clear();
+    state_.last.forward_s.fill(0);
 }
 
 void ConfigurationWatch::take(const ValveReading& reading) {
-    if (recent_.empty())
-        last_.end = reading;
+    if (state_.recent.empty())
+        state_.last.end = reading;
     else
-        last_ = next(last_, reading, false);
-    recent_.push_back(last_);
-    if (recent_.size() > span + 1)
-        recent_.erase(recent_.begin());
+        state_.last = next(state_.last, reading, false);
+    state_.recent.push_back(state_.last);
+    if (state_.recent.size() > span + 1)
+        state_.recent.erase(state_.recent.begin());
     reconsider();
 }
 
@@ -120,22 +120,23 @@ bool ConfigurationWatch::near(const ValveInterval& interval, Configuration other
 
 void ConfigurationWatch::reconsider() {
     std::vector<ValveInterval> best;
-    double greatest_gain = least_gain, misfit = recent_.back().misfit;
-    const std::size_t first = recent_.size() - std::min(recent_.size(), reach + 1);
-    for (std::size_t from = recent_.size() - 1; from-- > first; misfit += recent_[from].misfit) {
-        if (misfit < least_gain || from + 2 == recent_.size()) // noise could explain a single interval
+    double greatest_gain = least_gain, misfit = state_.recent.back().misfit;
+    const std::size_t first = state_.recent.size() - std::min(state_.recent.size(), reach + 1);
+    for (std::size_t from = state_.recent.size() - 1; from-- > first; misfit += state_.recent[from].misfit) {
+        if (misfit < least_gain || from + 2 == state_.recent.size()) // noise could explain a single interval
             continue;
         for (Configuration other : {Configuration::a, Configuration::d, Configuration::e}) {
-            if (same_surplus(other, last_.configuration))
+            if (same_surplus(other, state_.last.configuration))
                 continue;
-            std::vector<ValveInterval> path(recent_.begin(), recent_.begin() + static_cast<std::ptrdiff_t>(from) + 1);
+            std::vector<ValveInterval> path(state_.recent.begin(),
+                                            state_.recent.begin() + static_cast<std::ptrdiff_t>(from) + 1);
             path.back().configuration = other;
             double left = 0;
-            for (std::size_t i = from + 1; i < recent_.size() && left < misfit_left * misfit; ++i) {
-                path.push_back(next(path.back(), recent_[i].end, true));
+            for (std::size_t i = from + 1; i < state_.recent.size() && left < misfit_left * misfit; ++i) {
+                path.push_back(next(path.back(), state_.recent[i].end, true));
                 left += path.back().misfit;
             }
-            const double gain = (misfit - left) * (near(recent_[from + 1], other) ? 1 : doubt);
+            const double gain = (misfit - left) * (near(state_.recent[from + 1], other) ? 1 : doubt);
             if (left < misfit_left * misfit && gain > greatest_gain) {
                 greatest_gain = gain;
                 best = std::move(path);
@@ -144,30 +145,30 @@ void ConfigurationWatch::reconsider() {
     }
     if (best.empty())
         return;
-    recent_ = std::move(best);
-    last_ = recent_.back();
+    state_.recent = std::move(best);
+    state_.last = state_.recent.back();
 }
 
 template <class Get>
 double ConfigurationWatch::mean(Get get) const {
     double sum = 0;
-    for (std::size_t i = 1; i < recent_.size(); ++i)
-        sum += get(recent_[i]);
-    return sum / static_cast<double>(recent_.size() - 1);
+    for (std::size_t i = 1; i < state_.recent.size(); ++i)
+        sum += get(state_.recent[i]);
+    return sum / static_cast<double>(state_.recent.size() - 1);
 }
 
 LinkSet ConfigurationWatch::driven() const {
     LinkSet driven;
-    if (recent_.size() <= span)
+    if (state_.recent.size() <= span)
         return driven;
-    for (const ValveInterval& interval : recent_)
-        if (interval.configuration != last_.configuration)
+    for (const ValveInterval& interval : state_.recent)
+        if (interval.configuration != state_.last.configuration)
             return driven;
     for (Link link : all_links) {
         const std::size_t i = index_of(link);
         const bool fed = std::ranges::all_of(
-            recent_, [&](const ValveInterval& each) { return each.end.links.inlet_in2[i] > least_inlet_in2; });
-        if (fed && last_.forward_s[i] > outlet_shuts_s + span * period_s_ &&
+            state_.recent, [&](const ValveInterval& each) { return each.end.links.inlet_in2[i] > least_inlet_in2; });
+        if (fed && state_.last.forward_s[i] > outlet_shuts_s + span * period_s_ &&
             mean([&](const ValveInterval& each) { return each.mean.inlet[i]; }) > least_flow_in3_per_s)
             driven.insert(link);
     }
@@ -175,7 +176,7 @@ LinkSet ConfigurationWatch::driven() const {
 }
 
 std::optional<std::vector<LinkSample>> ConfigurationWatch::samples(const Circuit& circuit) const {
-    const ValveReading &first = recent_.front().end, &last = recent_.back().end;
+    const ValveReading &first = state_.recent.front().end, &last = state_.recent.back().end;
     const double time_s = period_s_ * static_cast<double>(span);
     PerLink<double> psi, inlet, bypass, comes{};
     for (const Junction& junction : circuit) {

@@ -5,6 +5,7 @@
 #include "hydraulics/circuit/main_valve.hpp"
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace placedpar::hydraulics {
@@ -13,6 +14,8 @@ namespace placedpar::hydraulics {
 struct ValveReading {
     ValveLinks links;
     PerLink<double> piston_in3; ///< piston_in3_per_rad times the joint's angle
+
+    friend bool operator==(const ValveReading&, const ValveReading&) = default;
 };
 
 /// The state and the flows of the main valve between two successive readings.
@@ -24,6 +27,8 @@ struct ValveInterval {
     double misfit = 0;                              ///< sum over the links of (oil - mean.inlet)^2
     PerLink<double> oil_in3_per_s{};                ///< flow that moves the piston and expands the hose, smoothed
     PerLink<double> forward_s{};                    ///< time since oil last left the cylinder
+
+    friend bool operator==(const ValveInterval&, const ValveInterval&) = default;
 };
 
 /// Recognises the configuration of the main valve from the readings of all links.
@@ -40,17 +45,30 @@ public:
     static constexpr std::size_t span =
         8; ///< number of intervals in a sample; many, so that noise hardly changes the slopes
 
+    /// Holds everything that is needed to restore the object.
+    struct State {
+        ValveInterval last;
+        std::vector<ValveInterval> recent; ///< at most span + 1 intervals, oldest first; only the end of the first is
+                                           ///< used
+
+        friend bool operator==(const State&, const State&) = default;
+    };
+
     /// `compliance_in3_per_psi`: compliances of healthy links. True compliances may differ from them by up to a third.
     ConfigurationWatch(const MainValve&, const CrossOverLimits&, const PerLink<double>& compliance_in3_per_psi,
                        double period_s);
+
+    const State& state() const { return state_; }
+    /// Continues from a state. REQUIRES: the state of an object with the same constants.
+    void go_on_from(State state) { state_ = std::move(state); }
 
     /// Takes the next reading, one period after the last.
     void take(const ValveReading&);
     /// Forgets the recent intervals, but keeps the configuration. Call it after a gap in the readings.
     void restart();
 
-    Configuration configuration() const { return last_.configuration; }
-    const ValveInterval& last() const { return last_; }
+    Configuration configuration() const { return state_.last.configuration; }
+    const ValveInterval& last() const { return state_.last; }
     /// Returns the links into which oil flows all through the last `span` intervals, and that have moved forward for
     /// so long that their outlets are shut. Returns none if the configuration has changed.
     LinkSet driven() const;
@@ -74,8 +92,7 @@ private:
     CrossOverLimits limits_;
     PerLink<double> compliance_in3_per_psi_;
     double period_s_;
-    ValveInterval last_;
-    std::vector<ValveInterval> recent_; ///< at most span + 1 intervals, oldest first; only the end of the first is used
+    State state_;
 };
 
 } // namespace placedpar::hydraulics

@@ -23,11 +23,15 @@ BranchPressures branch_pressures(const PerLink<double>& junction_psi);
 /// The orifices of the main valve and the pressures behind its inlets.
 struct ValveLinks {
     PerLink<double> inlet_psi, inlet_in2, bypass_in2; ///< areas >= 0
+
+    friend bool operator==(const ValveLinks&, const ValveLinks&) = default;
 };
 
 /// The flows that leave the junction of each link, in in^3/s and >= 0.
 struct ValveFlows {
     PerLink<double> inlet, bypass, relief;
+
+    friend bool operator==(const ValveFlows&, const ValveFlows&) = default;
 };
 
 /// The main valve with the volume of its pipes: at the junction of each link, oil is stored as the pressure rises.

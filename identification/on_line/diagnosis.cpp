@@ -1,6 +1,7 @@
 #include "identification/on_line/diagnosis.hpp"
 
 #include "hydraulics/data/frozen_run.hpp"
+#include "identification/on_line/moving_diagnosis.hpp"
 #include "identification/on_line/refused_sample.hpp"
 
 #include <fmt/format.h>
@@ -55,13 +56,45 @@ Diagnosis::Diagnosis(State state, const DiagnosisSettings& settings, std::uint64
         sets_.try_emplace(links, links, settings_, seed_, fmt::format("{}/{}", state_.name, name_of_set(links)),
                           std::move(set));
     state_.sets.clear();
+    if (!state_.moving)
+        return;
+    make_moving();
+    moving_->go_on_from(*std::exchange(state_.moving, std::nullopt));
+}
+
+Diagnosis::Diagnosis(Diagnosis&&) noexcept = default;
+Diagnosis& Diagnosis::operator=(Diagnosis&&) noexcept = default;
+Diagnosis::~Diagnosis() = default;
+
+void Diagnosis::make_moving() {
+    moving_ = std::make_unique<MovingDiagnosis>(state_.parameters, sampling_.period_s(), seed_, state_.name);
 }
 
 Diagnosis::State Diagnosis::state() const {
     State copy = state_;
     for (const auto& [links, set] : sets_)
         copy.sets.emplace(links, set.state());
+    if (moving_)
+        copy.moving = moving_->state();
     return copy;
+}
+
+std::optional<SetEstimates> Diagnosis::estimates(LinkSet set) const {
+    if (moving_)
+        return moving_->estimates(set);
+    auto found = sets_.find(set);
+    if (found == sets_.end())
+        return std::nullopt;
+    const PopulationSet::State& state = found->second.state();
+    return SetEstimates{set, state.window.size(), state.generations, state.estimates};
+}
+
+std::vector<SetEstimates> Diagnosis::estimates() const {
+    std::vector<SetEstimates> all;
+    for (LinkSet set : all_population_sets())
+        if (auto found = estimates(set))
+            all.push_back(*found);
+    return all;
 }
 
 std::vector<LinkSet> Diagnosis::sets_in_use() const {
@@ -82,10 +115,20 @@ const SetProblem& Diagnosis::problem(LinkSet set) {
     return place->second;
 }
 
+void Diagnosis::change(const RecognisedConfiguration&) {
+    if (moving_)
+        return;
+    restart_windows();
+    make_moving();
+    state_.configuration = moving_->configuration();
+    state_.active = {};
+}
+
 void Diagnosis::change(const ConfigurationChange& change) {
-    if (state_.configuration == change.configuration && state_.active == change.active)
+    if (!moving_ && state_.configuration == change.configuration && state_.active == change.active)
         return;
     restart_windows(); // for the sets of the old configuration
+    moving_.reset();
     state_.configuration = change.configuration;
     state_.active = change.active;
     for (Link link : all_links)
@@ -102,6 +145,8 @@ void Diagnosis::restart_windows() {
         pressure.restart();
     for (FrozenWatch& angle : state_.angles)
         angle.restart();
+    if (moving_)
+        return moving_->restart();
     for (LinkSet set : sets_in_use()) {
         end_movement(set);
         if (auto found = sets_.find(set); found != sets_.end())
@@ -109,10 +154,12 @@ void Diagnosis::restart_windows() {
     }
 }
 
+LinkSet Diagnosis::read_links() const { return moving_ ? LinkSet::all() : state_.active; }
+
 void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
     if (!state_.configuration)
         throw RefusedSample(NoConfiguration{});
-    for (Link link : links_of(state_.active))
+    for (Link link : links_of(read_links()))
         if (!sample.links[index_of(link)])
             throw RefusedSample(LinkNotRead{link});
     if (state_.time_s && sample.time_s <= *state_.time_s && !state_.time_may_restart)
@@ -136,7 +183,7 @@ void Diagnosis::read(const ExcavatorSample& sample, std::optional<double> elapse
     state_.time_s = sample.time_s;
     state_.time_may_restart = false;
     ++state_.samples;
-    for (Link link : links_of(state_.active))
+    for (Link link : links_of(read_links()))
         state_.tracks[index_of(link)].read(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
                                            elapsed_s);
 }
@@ -154,7 +201,7 @@ bool Diagnosis::finish_sample(SampleOutcome& outcome) {
     }
     state_.open = {};
     state_.sample_s = middle_s;
-    for (Link link : links_of(state_.active))
+    for (Link link : links_of(read_links()))
         state_.tracks[index_of(link)].finish_sample();
     return true;
 }
@@ -169,13 +216,35 @@ SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
     }
     read(sample, elapsed);
     watch_readings(sample);
-    if (finish_sample(outcome)) {
-        const double centre_s = *state_.sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
-        for (LinkSet set : sets_in_use())
-            outcome.generations += search(set, sample, centre_s);
-    }
+    if (finish_sample(outcome))
+        outcome.generations = moving_ ? recognise() : search(sample);
     judge(outcome);
     return outcome;
+}
+
+std::size_t Diagnosis::recognise() {
+    ValveReading reading{};
+    for (Link link : all_links) {
+        const std::size_t i = index_of(link);
+        const LinkTrack::Newest newest = state_.tracks[i].newest(state_.parameters.links[i]);
+        reading.links.inlet_psi[i] = newest.inlet_psi;
+        reading.links.inlet_in2[i] = newest.inlet_in2;
+        reading.links.bypass_in2[i] = newest.bypass_in2;
+        reading.piston_in3[i] = newest.piston_in3;
+    }
+    const std::size_t generations = moving_->take(reading, *state_.sample_s);
+    state_.judged |= generations > 0;
+    state_.configuration = moving_->configuration();
+    state_.active = moving_->driven();
+    return generations;
+}
+
+std::size_t Diagnosis::search(const ExcavatorSample& sample) {
+    const double centre_s = *state_.sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
+    std::size_t generations = 0;
+    for (LinkSet set : sets_in_use())
+        generations += search(set, sample, centre_s);
+    return generations;
 }
 
 SampleOutcome Diagnosis::end_movements() {
@@ -248,17 +317,26 @@ void Diagnosis::note(LinkSet set, SetWatch::Judged judged) {
     judged_.push_back({set, std::move(*judged)});
 }
 
+bool Diagnosis::is_impossible(Link link, const Reading& reading) {
+    const std::size_t fewest = fewest_frozen(sampling_.reading_s), i = index_of(link);
+    const bool pressure_froze = state_.pressures[i].take(reading.inlet_psi, least_jump_psi, fewest);
+    const bool angle_froze = state_.angles[i].take(reading.angle_deg, least_jump_deg, fewest);
+    return pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi;
+}
+
 void Diagnosis::watch_readings(const ExcavatorSample& sample) {
-    const std::size_t fewest = fewest_frozen(sampling_.reading_s);
+    for (Link link : links_of(read_links()))
+        if (is_impossible(link, *sample.links[index_of(link)]))
+            note_impossible(link);
+}
+
+void Diagnosis::note_impossible(Link link) {
+    state_.judged = true;
+    if (moving_)
+        return moving_->note_impossible(link);
     for (LinkSet set : sets_in_use())
-        for (Link link : links_of(set)) {
-            const Reading& reading = *sample.links[index_of(link)];
-            const bool pressure_froze =
-                state_.pressures[index_of(link)].take(reading.inlet_psi, least_jump_psi, fewest);
-            const bool angle_froze = state_.angles[index_of(link)].take(reading.angle_deg, least_jump_deg, fewest);
-            if (pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi)
-                note_impossible(set, link);
-        }
+        if (set.contains(link))
+            note_impossible(set, link);
 }
 
 void Diagnosis::note_impossible(LinkSet set, Link link) {
@@ -270,6 +348,8 @@ void Diagnosis::note_impossible(LinkSet set, Link link) {
 }
 
 LinkVerdict Diagnosis::verdict(Link link) const {
+    if (moving_)
+        return moving_->verdict(link, state_.health_in3_per_psi[index_of(link)]);
     auto weight = [](const Verdict& verdict) {
         bool fault = alarm_of(verdict.kind).has_value();
         return std::pair(fault, verdict.movements);
@@ -294,11 +374,10 @@ double Diagnosis::baseline_in3_per_psi(Link link) const {
 
 LinkCheck Diagnosis::check(Link link) const {
     LinkCheck check;
-    for (LinkSet set : all_population_sets()) {
-        auto found = sets_.find(set);
-        if (!set.contains(link) || found == sets_.end())
+    for (const auto& [set, samples, generations, links] : estimates()) {
+        if (!set.contains(link))
             continue;
-        const LinkEstimate& estimate = found->second.state().estimates[position_in(set, link)];
+        const LinkEstimate& estimate = links[position_in(set, link)];
         double settled_s = estimate.state().settled_time_s;
         if (!estimate.settled_in3_per_psi() || std::abs(*state_.time_s - settled_s) > settings_.stale_after_s)
             continue;

@@ -7,18 +7,23 @@
 #include "identification/on_line/frozen_watch.hpp"
 #include "identification/on_line/inputs.hpp"
 #include "identification/on_line/link_track.hpp"
+#include "identification/on_line/moving_state.hpp"
 #include "identification/on_line/population_set.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/on_line/set_watch.hpp"
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace placedpar::identification {
+
+class MovingDiagnosis; // identification/on_line/moving_diagnosis.hpp
 
 /// The deviations of the links of a population set (population_sets.hpp) in one movement, in the order of links_of().
 struct JudgedMovement {
@@ -56,6 +61,7 @@ struct DiagnosisState {
     std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
     bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined
     std::vector<Alarm> alarms; ///< active alarms
+    std::optional<MovingDiagnosisState> moving; ///< nullopt: the control system reports the configuration
 
     friend bool operator==(const DiagnosisState&, const DiagnosisState&) = default;
 };
@@ -83,13 +89,20 @@ public:
     Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
               std::uint64_t seed);
     Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed);
+    Diagnosis(Diagnosis&&) noexcept;
+    Diagnosis& operator=(Diagnosis&&) noexcept;
+    ~Diagnosis();
 
     /// Returns a copy of the state, with the states of the population sets.
     State state() const;
 
     const std::string& name() const { return state_.name; }
     const ExcavatorParameters& parameters() const { return state_.parameters; }
+    /// Returns whether the configuration is recognised from the readings.
+    bool recognises() const { return moving_ != nullptr; }
+    /// Returns the configuration, as reported or as recognised at the last sample.
     std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
+    /// Returns the active links, as reported or as recognised at the last sample.
     hydraulics::LinkSet active() const { return state_.active; }
     std::optional<double> time_s() const { return state_.time_s; }
     std::uint64_t samples() const { return state_.samples; } ///< number of instants read
@@ -100,7 +113,13 @@ public:
     std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
         return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
     }
+    /// Returns the population sets that were searched in reported configurations.
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
+    /// Returns the estimates of the set; nullopt if it has not been used.
+    std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
+    /// Returns the estimates of all sets ever used, in the order of Figure 3.13. While the configuration is recognised,
+    /// these are the sets that have been searched in this time.
+    std::vector<SetEstimates> estimates() const;
     /// Returns the compliance of the healthy link: the value that the control system has set, or else the value for the
     /// machine's kind.
     double health_in3_per_psi(hydraulics::Link link) const {
@@ -118,8 +137,12 @@ public:
 
     /// Records that a control system has connected, so the time of its samples may restart.
     void connected() { state_.time_may_restart = true; }
-    /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart.
+    /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart. Ends
+    /// the recognition of the configuration and forgets what was found by it.
     void change(const ConfigurationChange& change);
+    /// Begins to recognise configuration and active links from the readings (MovingDiagnosis). Each sample must then
+    /// have the readings of all links. Does nothing if the recognition has already begun.
+    void change(const RecognisedConfiguration&);
     /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
     /// cleared.
     SampleOutcome set_baseline(const Baseline& baseline);
@@ -133,6 +156,9 @@ public:
     const Movement::State* movement(hydraulics::LinkSet set) const;
 
 private:
+    void make_moving();
+    /// Returns the links whose readings are used.
+    hydraulics::LinkSet read_links() const;
     void require_acceptable(const ExcavatorSample& sample) const;
     /// Returns the time since the last sample; nullopt if there was none or time has restarted.
     std::optional<double> elapsed_s(double time_s) const;
@@ -141,10 +167,15 @@ private:
     /// Returns whether this reading completes a sample that continues the windows.
     bool finish_sample(SampleOutcome& outcome);
     void restart_windows();
+    /// Passes the sample to MovingDiagnosis, and returns the number of generations made.
+    std::size_t recognise();
+    std::size_t search(const ExcavatorSample& sample);
     std::size_t search(hydraulics::LinkSet set, const ExcavatorSample& sample, double centre_s);
     void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
     void end_movement(hydraulics::LinkSet set);
     void watch_readings(const ExcavatorSample& sample);
+    bool is_impossible(hydraulics::Link link, const Reading& reading);
+    void note_impossible(hydraulics::Link link);
     void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
     std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
     void note(hydraulics::LinkSet set, SetWatch::Judged judged);
@@ -157,9 +188,10 @@ private:
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     hydraulics::Sampling sampling_;
-    State state_;                        ///< without the states of the population sets
+    State state_;                        ///< without the states of the population sets and of moving_
     std::vector<JudgedMovement> judged_; ///< movements judged since the last outcome
     hydraulics::CentredLineFit fit_;
+    std::unique_ptr<MovingDiagnosis> moving_; ///< null: the control system reports the configuration
     std::map<hydraulics::LinkSet, PopulationSet> sets_;
     std::map<std::pair<hydraulics::Configuration, hydraulics::LinkSet>, SetProblem> problems_;
 };

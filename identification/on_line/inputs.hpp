@@ -15,6 +15,9 @@ struct ConfigurationChange {
     hydraulics::LinkSet active;
 };
 
+/// From now on, configuration and moving links are recognised from the readings of all four links.
+struct RecognisedConfiguration {};
+
 /// The opening of a valve is given by the position of its spool, by the voltage that moves the spool, or by its areas.
 struct SpoolPosition {
     double spool_in;

@@ -72,6 +72,19 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
     state_.settled_time_s = time_s;
 }
 
+void LinkEstimate::answer(double compliance, double standard_error, double time_s, bool confirmed) {
+    state_.excited = true;
+    state_.fits = confirmed;
+    state_.time_s = time_s;
+    state_.recent_in3_per_psi = {compliance};
+    state_.standard_error_in3_per_psi = standard_error;
+    if (!confirmed)
+        return;
+    push_bounded(state_.settled_in3_per_psi, compliance, kept_transients);
+    state_.settled_error_in3_per_psi = standard_error;
+    state_.settled_time_s = time_s;
+}
+
 void LinkEstimate::add_error(double standard_error) {
     state_.standard_error_in3_per_psi = standard_error;
     if (state_.settled)

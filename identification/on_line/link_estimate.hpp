@@ -1,9 +1,12 @@
 #pragma once
 
+#include "hydraulics/data/link.hpp"
 #include "identification/flag.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -50,6 +53,9 @@ public:
     void end_transient();
     /// Adds the compliance of a generation's best individual. `step_in3_per_psi` is the resolution of the search.
     void add(double compliance_in3_per_psi, double time_s, double step_in3_per_psi, const DiagnosisSettings& settings);
+    /// Takes the compliance found by a whole round of a search, which begins and settles a transient. `confirmed`:
+    /// least squares over the same samples agrees.
+    void answer(double compliance_in3_per_psi, double standard_error_in3_per_psi, double time_s, bool confirmed);
     /// Sets the standard error, from least squares on the window. Call this function after the window's generations.
     void add_error(double standard_error_in3_per_psi);
     /// Records that no individual explains the window. The estimate stays unchanged.
@@ -70,6 +76,14 @@ public:
 
 private:
     State state_;
+};
+
+/// The estimates of the links of a population set.
+struct SetEstimates {
+    hydraulics::LinkSet set;
+    std::size_t samples; ///< number of samples that the next generation will use
+    std::uint64_t generations;
+    std::span<const LinkEstimate> links; ///< in the order of links_of(); until the diagnosis changes
 };
 
 } // namespace placedpar::identification

@@ -83,6 +83,11 @@ void LinkTrack::finish_sample() {
     push_bounded(state_.bypass_in2, areas.bypass_in2);
 }
 
+LinkTrack::Newest LinkTrack::newest(const LinkConstants& constants) const {
+    return {state_.inlet_psi.back(), state_.inlet_in2.back(), state_.bypass_in2.back(),
+            constants.piston_in3_per_deg() * state_.angle_deg.back()};
+}
+
 bool LinkTrack::spikes(double period_s) const {
     auto spike = [&](const std::vector<double>& readings, Sensor sensor) {
         return readings.size() == line_fit_points && is_spike(readings, greatest_excursion(sensor, period_s));

@@ -54,6 +54,13 @@ public:
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 
+    /// The newest sample. `piston_in3` is measured from angle 0.
+    struct Newest {
+        double inlet_psi, inlet_in2, bypass_in2, piston_in3;
+    };
+    /// REQUIRES: finish_sample() has been called since the last restart().
+    Newest newest(const hydraulics::LinkConstants& constants) const;
+
     /// Returns whether the middle one of the last 5 samples stands out from the others; false while there are fewer.
     bool spikes(double period_s) const;
 

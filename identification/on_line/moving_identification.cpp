@@ -1,5 +1,7 @@
 #include "identification/on_line/moving_identification.hpp"
 
+#include "gaprocs/fitness.hpp"
+#include "hydraulics/data/sampling.hpp"
 #include "identification/on_line/population_sets.hpp"
 
 #include <fmt/format.h>
@@ -31,12 +33,6 @@ ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<Li
     return reading;
 }
 
-bool excited(const std::vector<LinkSample>& links) {
-    constexpr double least_slope_psi_per_s = 300; // four times the scatter that medium noise causes; our choice
-    return std::ranges::any_of(
-        links, [](const LinkSample& link) { return std::abs(link.inlet_slope_psi_per_s) > least_slope_psi_per_s; });
-}
-
 /// Returns the relative deviation of the compliance from a healthy link's compliance; 0 if the link is not faulty by
 /// `off_share` and `off_errors`.
 double off(const LinkIdentified& link, const PerLink<double>& healthy) {
@@ -52,19 +48,16 @@ bool recognisable(const ChannelSet& there) {
                                [&](Link link) { return there.contains(channels_needed(link, AreasFrom::areas)); });
 }
 
-MovingIdentification::MovingIdentification(const Parameters& machine, WayFor way, std::uint64_t seed)
-    : valve_(main_valve(machine)), limits_(cross_over_limits(machine)), constants_(link_constants(machine)),
-      way_(std::move(way)), seed_(seed) {
-    for (Link link : all_links)
-        healthy_in3_per_psi_[index_of(link)] = machine[fmt::format("{}.inlet_compliance", name_of(link))];
+MovingIdentification::MovingIdentification(const Parameters& machine, MovingSearch::WayFor way, std::uint64_t seed)
+    : machine_(RecognisedMachine::of(machine)), constants_(link_constants(machine)), way_(std::move(way)), seed_(seed) {
 }
 
 void MovingIdentification::take(const Record& piece) {
     const Sampling sampling = Sampling::of(piece.period_s);
     const Record& record = sampling.readings > 1 ? averaged(piece, sampling) : piece;
-    if (!watch_) {
+    if (!search_) {
         period_s_ = record.period_s;
-        watch_.emplace(valve_, limits_, healthy_in3_per_psi_, period_s_);
+        search_.emplace(machine_, period_s_, way_, seed_, "", exact_fitness_terms);
     }
     for (std::size_t i = 0; i < record.size(); ++i)
         take(record, i);
@@ -72,23 +65,20 @@ void MovingIdentification::take(const Record& piece) {
 
 void MovingIdentification::take(const Record& record, std::size_t i) {
     const double time_s = record.time_s[i];
-    if (readings_ > 0 && time_s > time_s_ + 1.5 * period_s_) {
-        watch_->restart();
-        pending_.clear();
-    }
+    if (readings_ > 0 && time_s > time_s_ + 1.5 * period_s_)
+        search_->restart();
     time_s_ = time_s;
-    watch_->take(valve_reading(record, i, constants_));
-    ++recognition_.samples[static_cast<std::size_t>(watch_->configuration())];
+    search_->take(valve_reading(record, i, constants_), time_s);
+    ++recognition_.samples[static_cast<std::size_t>(search_->configuration())];
     if (record.configuration.size() == record.size())
         judge(record.configuration[i]);
-    collect(time_s);
     ++readings_;
 }
 
 void MovingIdentification::judge(char truth) {
     if (truth == '-')
         return;
-    const char seen = name_of(watch_->configuration());
+    const char seen = name_of(search_->configuration());
     ++recognition_.judged;
     recognition_.right += seen == truth;
     if (truth_ != '-' && truth != truth_) {
@@ -100,42 +90,6 @@ void MovingIdentification::judge(char truth) {
         ++recognition_.soon;
         awaited_until_ = 0;
     }
-}
-
-void MovingIdentification::collect(double time_s) {
-    const Configuration now = watch_->configuration();
-    if (now != before_)
-        pending_.clear();
-    for (; !pending_.empty() && pending_.front().at + ConfigurationWatch::reach <= readings_;
-         pending_.erase(pending_.begin()))
-        search_of(pending_.front().set).add(now, std::move(pending_.front().sample));
-    const std::vector<LinkSet> sets = sets_in_use(now, watch_->driven());
-    for (LinkSet set : in_use_)
-        if (now != before_ || std::ranges::find(sets, set) == sets.end())
-            search_of(set).round();
-    for (LinkSet set : sets)
-        if (readings_ >= next_[set])
-            if (auto links = watch_->samples(circuit_of(now, set)); links && excited(*links)) {
-                pending_.push_back({readings_, set, {readings_, time_s, std::move(*links)}});
-                next_[set] = readings_ + ConfigurationWatch::span;
-            }
-    in_use_ = sets;
-    before_ = now;
-}
-
-SetSearch& MovingIdentification::search_of(LinkSet set) {
-    return searches_
-        .try_emplace(set, set, way_(set.size()), valve_.flow, RandomStream(seed_, std::string(name_of_set(set))))
-        .first->second;
-}
-
-std::vector<SetAnswer> MovingIdentification::sets() {
-    std::vector<SetAnswer> answers;
-    for (LinkSet set : all_population_sets())
-        if (auto found = searches_.find(set); found != searches_.end())
-            if (auto answer = found->second.answer())
-                answers.push_back(std::move(*answer));
-    return answers;
 }
 
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets) {

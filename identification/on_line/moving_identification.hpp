@@ -1,11 +1,11 @@
 #pragma once
 
-#include "hydraulics/circuit/configuration_watch.hpp"
 #include "hydraulics/circuit/link_calibration.hpp"
-#include "identification/on_line/set_search.hpp"
+#include "hydraulics/data/record.hpp"
+#include "identification/on_line/moving_search.hpp"
 
 #include <array>
-#include <functional>
+#include <optional>
 
 namespace placedpar::identification {
 
@@ -21,52 +21,29 @@ struct Recognition {
                                        ///< samples
 };
 
-/// Identifies the compliances of a machine that moves (thesis 3.3). Recognises the configuration of each sample and the
-/// links into which oil flows, and searches with the population set of these links (Figure 3.13). Whenever the
-/// configuration or the links change, the search of each set that was in use until then makes a round
-/// of generations (SetSearch::round()).
+/// Identifies the compliances of a machine that moves from its record (moving_search.hpp).
 class MovingIdentification {
 public:
-    /// Returns the settings of a search for this number of links.
-    using WayFor = std::function<WholeWay(std::size_t links)>;
-
-    MovingIdentification(const hydraulics::Parameters& machine, WayFor way, std::uint64_t seed);
+    MovingIdentification(const hydraulics::Parameters& machine, MovingSearch::WayFor way, std::uint64_t seed);
 
     /// Takes the next piece of a record. REQUIRES: recognisable(piece.channels()).
     void take(const hydraulics::Record& piece);
     /// Returns the answers of all sets with enough samples, in the order of Figure 3.13.
-    std::vector<SetAnswer> sets();
+    std::vector<SetAnswer> sets() { return search_ ? search_->answers() : std::vector<SetAnswer>(); }
     const Recognition& recognition() const { return recognition_; }
-    double healthy_in3_per_psi(hydraulics::Link link) const { return healthy_in3_per_psi_[index_of(link)]; }
+    double healthy_in3_per_psi(hydraulics::Link link) const { return machine_.healthy_in3_per_psi[index_of(link)]; }
 
 private:
-    struct Pending {
-        std::size_t at;
-        hydraulics::LinkSet set;
-        hydraulics::CircuitSample sample;
-    };
-
     void take(const hydraulics::Record& piece, std::size_t i);
-    void collect(double time_s);
     void judge(char truth);
-    SetSearch& search_of(hydraulics::LinkSet set);
 
-    hydraulics::MainValve valve_;
-    hydraulics::CrossOverLimits limits_;
+    RecognisedMachine machine_;
     hydraulics::PerLink<hydraulics::LinkConstants> constants_;
-    hydraulics::PerLink<double> healthy_in3_per_psi_{};
-    WayFor way_;
+    MovingSearch::WayFor way_;
     std::uint64_t seed_;
-    std::optional<hydraulics::ConfigurationWatch> watch_; ///< empty before the first reading
+    std::optional<MovingSearch> search_; ///< empty before the first reading
     double period_s_ = 0, time_s_ = 0;
     std::size_t readings_ = 0;
-    hydraulics::Configuration before_{};
-    std::vector<hydraulics::LinkSet> in_use_;
-    std::vector<Pending> pending_; ///< samples that wait, because their last readings may still prove to be of a
-                                   ///< different configuration
-    std::map<hydraulics::LinkSet, std::size_t> next_; ///< for each set, the first reading that its next sample may use,
-                                                      ///< so that samples do not overlap
-    std::map<hydraulics::LinkSet, SetSearch> searches_;
     Recognition recognition_;
     char truth_ = '-';              ///< configuration of the last sample, as stated in the record's column
     std::size_t awaited_until_ = 0; ///< if the change is recognised by this reading, it counts in Recognition::soon

@@ -90,10 +90,9 @@ void RecordDiagnosis::follow(const SampleOutcome& outcome, std::vector<MovementF
 
 MovementFinding RecordDiagnosis::finding(LinkSet set, const Progress& progress, const SampleOutcome& outcome) const {
     MovementFinding finding{set, progress.from_s, progress.to_s, {}};
-    const auto found = diagnosis_.sets().find(set);
+    const std::span<const LinkEstimate> estimates = diagnosis_.estimates(set)->links;
     for (Link link : links_of(set))
-        finding.links.push_back(
-            finding_of(link, found->second.state().estimates[position_in(set, link)], progress.from_s, settings_));
+        finding.links.push_back(finding_of(link, estimates[position_in(set, link)], progress.from_s, settings_));
     const auto judged = std::ranges::find(outcome.judged, set, &JudgedMovement::set);
     for (std::size_t i = 0; judged != outcome.judged.end() && i < finding.links.size(); ++i)
         finding.links[i].whole = whole_movement(judged->links[i], diagnosis_.health_in3_per_psi(finding.links[i].link));

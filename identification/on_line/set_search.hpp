@@ -1,8 +1,8 @@
 #pragma once
 
 #include "gaprocs/search.hpp"
-#include "identification/flow_weights.hpp"
 #include "identification/identification.hpp"
+#include "identification/on_line/moving_state.hpp"
 #include "identification/on_line/set_problem.hpp"
 #include "identification/whole_search.hpp"
 
@@ -29,26 +29,38 @@ class SetSearch {
 public:
     static constexpr std::size_t fewest_samples = 10; ///< a set with fewer samples is not searched
 
-    SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random);
+    /// Keeps the last `most_samples` samples. REQUIRES: the search of `way` has an elite.
+    SetSearch(hydraulics::LinkSet set, const WholeWay& way, const hydraulics::FlowConstants& flow, RandomStream random,
+              std::size_t most_samples);
 
-    /// Adds a sample taken in this configuration. The links in `sample` are in the order of its circuit. Keeps the last
-    /// 1,024 samples.
+    SetSearchState state() const;
+    /// Continues from a state. REQUIRES: the state of an object with the same settings and random stream.
+    void go_on_from(SetSearchState);
+
+    /// Adds a sample taken in this configuration. The links in `sample` are in the order of its circuit.
     void add(hydraulics::Configuration, hydraulics::CircuitSample sample);
     /// Makes the generations of a round if there are enough samples, and if samples have been added since the last
-    /// round.
-    void round();
+    /// round. Returns whether it made a round.
+    bool round();
+    std::size_t rounds() const { return rounds_; }
+    std::uint64_t generations() const { return search_.generation(); }
+    std::size_t samples() const; ///< number of samples kept
+    /// Returns the answer of the rounds made so far. REQUIRES: a round has been made.
+    SetAnswer answer_so_far() const;
     /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
     std::optional<SetAnswer> answer();
 
 private:
     struct Part {
         SetProblem problem;
-        std::vector<hydraulics::CircuitSample> samples;
-        std::optional<FlowWeights> weights;
+        ConfigurationSamples of;
     };
 
+    Part& part_of(hydraulics::Configuration);
+    void drop_oldest();
     void evolve();
-    std::size_t samples() const;
+    /// Returns the best individual of the last generation, which is the first of the elite.
+    const Genome& best() const { return search_.population().front(); }
     std::vector<double> found_in(const Part& part) const; ///< in the circuit's order
     /// Returns the least-squares fit over the samples of all configurations, in the order of links_of().
     std::vector<LeastSquares> least_squares() const;
@@ -57,8 +69,9 @@ private:
     WholeWay way_;
     hydraulics::FlowConstants flow_;
     Search search_;
+    std::size_t most_samples_;
     std::map<hydraulics::Configuration, Part> parts_;
-    std::size_t rounds_ = 0, fresh_ = 0; ///< fresh: samples since the last round
+    std::size_t rounds_ = 0, fresh_ = 0; ///< as in SetSearchState
 };
 
 /// The interpolation between readings can change a compliance by up to this share. Standard errors do not include this

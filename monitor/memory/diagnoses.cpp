@@ -50,6 +50,8 @@ void Diagnoses::replay(const std::string& machine, std::string_view text) {
                          "hello before any other message about the machine");
     if (const auto* change = std::get_if<ConfigurationChange>(&message))
         found->second.change(*change);
+    else if (const auto* recognised = std::get_if<RecognisedConfiguration>(&message))
+        found->second.change(*recognised);
     else if (const auto* sample = std::get_if<ExcavatorSample>(&message))
         found->second.take(*sample);
     else if (const auto* baseline = std::get_if<Baseline>(&message))

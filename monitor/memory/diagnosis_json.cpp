@@ -1,5 +1,6 @@
 #include "monitor/memory/diagnosis_json.hpp"
 
+#include "identification/on_line/moving_diagnosis.hpp"
 #include "monitor/memory/kept_json.hpp"
 
 #include <fmt/format.h>
@@ -12,6 +13,12 @@ BOOST_DESCRIBE_ENUM(Configuration, a, b, c, d, e)
 BOOST_DESCRIBE_ENUM(AreasFrom, areas, spool, servo)
 BOOST_DESCRIBE_STRUCT(FlowConstants, (), (orifice_in3_per_s_in2_sqrt_psi, pump_in3_per_s, tank_psi, relief_psi))
 BOOST_DESCRIBE_STRUCT(LinkConstants, (), (piston_in3_per_rad, spool_lag_per_s))
+BOOST_DESCRIBE_STRUCT(CircuitSample, (), (index, time_s, links, stretch))
+BOOST_DESCRIBE_STRUCT(ValveLinks, (), (inlet_psi, inlet_in2, bypass_in2))
+BOOST_DESCRIBE_STRUCT(ValveFlows, (), (inlet, bypass, relief))
+BOOST_DESCRIBE_STRUCT(ValveReading, (), (links, piston_in3))
+BOOST_DESCRIBE_STRUCT(ValveInterval, (), (end, configuration, junction_psi, mean, misfit, oil_in3_per_s, forward_s))
+BOOST_DESCRIBE_STRUCT(ConfigurationWatch::State, (), (last, recent))
 BOOST_DESCRIBE_STRUCT(LinkSample, (), (inlet_psi, inlet_slope_psi_per_s, piston_flow_in3_per_s, inlet_in2, bypass_in2))
 
 } // namespace placedpar::hydraulics
@@ -35,9 +42,14 @@ BOOST_DESCRIBE_STRUCT(Deviation, (), (by, covariance))
 BOOST_DESCRIBE_STRUCT(SequentialTest::State, (), (sums, informations, raised, pull, information, movements))
 BOOST_DESCRIBE_STRUCT(LinkJudge::State, (), (first, from_itself, from_kind, valve, impossible_now, impossible))
 BOOST_DESCRIBE_STRUCT(SetWatch::State, (), (movement, valves, judges, moving_shut))
+BOOST_DESCRIBE_STRUCT(ConfigurationSamples, (), (configuration, samples, weights))
+BOOST_DESCRIBE_STRUCT(SetSearchState, (), (population, generations, drawn, rounds, fresh, configurations))
+BOOST_DESCRIBE_STRUCT(PendingSample, (), (set, sample))
+BOOST_DESCRIBE_STRUCT(MovingSearchState, (), (watch, readings, configuration, in_use, pending, next, searches))
+BOOST_DESCRIBE_STRUCT(MovingDiagnosisState, (), (search, estimates, impossible))
 BOOST_DESCRIBE_STRUCT(Diagnosis::State, (),
                       (name, parameters, configuration, active, time_s, time_may_restart, samples, open, sample_s,
-                       tracks, sets, health_in3_per_psi, pressures, angles, watches, judged, alarms))
+                       tracks, sets, health_in3_per_psi, pressures, angles, watches, judged, alarms, moving))
 
 } // namespace placedpar::identification
 
@@ -116,6 +128,49 @@ void require_whole(LinkSet links, const SetWatch::State& watch, const Sampling& 
         require_invertible(judge);
 }
 
+bool are_coupled(Configuration configuration, LinkSet links) {
+    return std::ranges::any_of(coupled_groups(configuration),
+                               [&](LinkSet group) { return !links.empty() && (links & group) == links; });
+}
+
+bool are_of(std::size_t links, const std::vector<CircuitSample>& samples) {
+    return std::ranges::all_of(samples, [&](const CircuitSample& each) { return each.links.size() == links; });
+}
+
+void require_whole(LinkSet links, const SetSearchState& search) {
+    const IdentificationWay way = whole_way(links.size()).way;
+    const std::size_t bits = links.size() * way.bits;
+    std::size_t samples = 0;
+    for (const ConfigurationSamples& each : search.configurations) {
+        samples += each.samples.size();
+        require_together(are_coupled(each.configuration, links) && are_of(links.size(), each.samples),
+                         "the samples of a configuration");
+    }
+    require_together(
+        search.population.size() == way.search.population && samples <= MovingDiagnosis::most_samples &&
+            std::ranges::all_of(search.population, [&](const Genome& each) { return each.size() == bits; }) &&
+            (search.rounds == 0 || samples > 0),
+        "the search of a set");
+}
+
+void require_whole(const MovingDiagnosisState& moving) {
+    for (const auto& [links, search] : moving.search.searches)
+        require_whole(links, search);
+    for (const PendingSample& each : moving.search.pending)
+        require_together(are_coupled(moving.search.configuration, each.set) &&
+                             each.sample.links.size() == each.set.size(),
+                         "a sample that waits");
+    for (const auto& [links, estimates] : moving.estimates) {
+        auto search = moving.search.searches.find(links);
+        require_together(search != moving.search.searches.end() && search->second.rounds > 0 &&
+                             estimates.size() == links.size(),
+                         "the estimates of a set");
+    }
+    require_together(moving.search.watch.recent.size() <= ConfigurationWatch::span + 1 &&
+                         std::ranges::none_of(moving.search.in_use, &LinkSet::empty),
+                     "the recognised configuration");
+}
+
 void require_whole(const Diagnosis::State& state, const DiagnosisSettings& settings) {
     const Sampling sampling = Sampling::of(state.parameters.period_s);
     if (state.open.readings >= sampling.readings)
@@ -126,6 +181,8 @@ void require_whole(const Diagnosis::State& state, const DiagnosisSettings& setti
         require_whole(links, set, settings);
     for (const auto& [links, watch] : state.watches)
         require_whole(links, watch, sampling);
+    if (state.moving)
+        require_whole(*state.moving);
 }
 
 } // namespace

@@ -196,15 +196,19 @@ private:
     static void read_members(T& object, const boost::json::object& json) {
         std::size_t count = 0;
         for_each_member(object, [&](const std::string& name, auto& member) {
-            ++count;
-            at_member(name, [&] {
-                const boost::json::value* field = json.if_contains(name);
-                if (!field)
-                    throw std::runtime_error("it is missing");
-                read(member, *field);
-            });
+            const boost::json::value* field = json.if_contains(name);
+            count += field != nullptr;
+            at_member(name, [&] { field ? read(member, *field) : leave_out(member); });
         });
         require_count(json.size(), "members", count);
+    }
+    /// An optional member may be missing, because an earlier version of the program did not have it.
+    template <typename T>
+    static void leave_out(T& member) {
+        if constexpr (requires { member.reset(); })
+            member.reset();
+        else
+            throw std::runtime_error("it is missing");
     }
     static hydraulics::LinkSet links_in(std::string_view words);
     /// Throws unless `found` equals `expected`; `what` names the things counted.

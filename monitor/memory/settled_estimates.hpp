@@ -3,6 +3,7 @@
 #include "identification/on_line/diagnosis.hpp"
 #include "monitor/memory/entries.hpp"
 
+#include <map>
 #include <vector>
 
 namespace placedpar::monitor {
@@ -12,16 +13,23 @@ class SettledEstimates {
 public:
     explicit SettledEstimates(const identification::Diagnosis& diagnosis);
 
-    /// Returns the estimates that were settled at construction and whose transients have ended since, with standard
-    /// errors.
+    /// Returns the settled estimates whose transients have ended since construction, with standard errors.
     std::vector<KeptEstimate> ended(const identification::Diagnosis& diagnosis, double at) const;
 
 private:
     struct SettledLink {
         hydraulics::LinkSet set;
         std::size_t link; ///< index of the link in the set
+
+        friend auto operator<=>(const SettledLink&, const SettledLink&) = default;
     };
-    std::vector<SettledLink> settled_;
+    struct Before {
+        bool settled;
+        double time_s; ///< time of the newest settled value
+    };
+    bool has_ended(const SettledLink&, const identification::LinkEstimate::State& now) const;
+
+    std::map<SettledLink, Before> before_;
 };
 
 } // namespace placedpar::monitor

@@ -77,21 +77,24 @@ json::object estimate_json(const Diagnosis& diagnosis, Link link, const LinkEsti
                            const DiagnosisSettings& settings) {
     const LinkEstimate::State& state = estimate.state();
     bool inconsistent = diagnosis.check(link).spread() > settings.inconsistent_over;
-    return {{"compliance_in3_per_psi", number(estimate.compliance_in3_per_psi())},
-            {"standard_error_in3_per_psi", error(estimate.compliance_in3_per_psi(), state.standard_error_in3_per_psi)},
-            {"settled_in3_per_psi", number(estimate.settled_in3_per_psi())},
-            {"settled_error_in3_per_psi", error(estimate.settled_in3_per_psi(), state.settled_error_in3_per_psi)},
-            {"excitation_psi_per_s", rounded(state.excitation_psi_per_s)},
-            {"time_s", estimate.compliance_in3_per_psi() ? time_json(state.time_s) : nullptr},
-            {"flags", flags(estimate, inconsistent, settings)}};
+    json::object object{
+        {"compliance_in3_per_psi", number(estimate.compliance_in3_per_psi())},
+        {"standard_error_in3_per_psi", error(estimate.compliance_in3_per_psi(), state.standard_error_in3_per_psi)},
+        {"settled_in3_per_psi", number(estimate.settled_in3_per_psi())},
+        {"settled_error_in3_per_psi", error(estimate.settled_in3_per_psi(), state.settled_error_in3_per_psi)},
+        {"time_s", estimate.compliance_in3_per_psi() ? time_json(state.time_s) : nullptr},
+        {"flags", flags(estimate, inconsistent, settings)}};
+    if (!diagnosis.recognises()) // a recognised machine has no window
+        object["excitation_psi_per_s"] = rounded(state.excitation_psi_per_s);
+    return object;
 }
 
-json::object set_json(const Diagnosis& diagnosis, const PopulationSet& set, const DiagnosisSettings& settings) {
+json::object set_json(const Diagnosis& diagnosis, const SetEstimates& set, const DiagnosisSettings& settings) {
     json::object links;
-    std::vector<Link> order = links_of(set.links());
+    std::vector<Link> order = links_of(set.set);
     for (std::size_t i = 0; i < order.size(); ++i)
-        links[symbol_of(order[i])] = estimate_json(diagnosis, order[i], set.state().estimates[i], settings);
-    return {{"window", set.state().window.size()}, {"generations", set.state().generations}, {"links", links}};
+        links[symbol_of(order[i])] = estimate_json(diagnosis, order[i], set.links[i], settings);
+    return {{"window", set.samples}, {"generations", set.generations}, {"links", links}};
 }
 
 json::object verdict_json(const LinkVerdict& link) {
@@ -103,15 +106,18 @@ json::object verdict_json(const LinkVerdict& link) {
     const WayUnits& units = link.units;
     // Directly measured areas have no offset.
     const bool knows_offset = verdict.deviation.by[index_of(FaultHypothesis::offset)] != 0;
+    // Leaks are not judged while the configuration is recognised.
+    const bool knows_leak = verdict.deviation.standard_error(FaultHypothesis::leak) > 0;
+    auto known = [](bool knows, double value) { return knows ? json::value(value) : json::value(nullptr); };
     return {{"verdict", name_of(verdict.kind)},
             {"probability", rounded(verdict.probability)},
             {"movements", verdict.movements},
             {"compliance_in3_per_psi", by(FaultHypothesis::compliance, units.compliance_in3_per_psi)},
             {"compliance_error_in3_per_psi", error(FaultHypothesis::compliance, units.compliance_in3_per_psi)},
-            {"leak_in3_per_s_psi", by(FaultHypothesis::leak, units.leak_in3_per_s_psi)},
-            {"leak_error_in3_per_s_psi", error(FaultHypothesis::leak, units.leak_in3_per_s_psi)},
-            {"offset_in", knows_offset ? by(FaultHypothesis::offset, units.offset_in) : json::value(nullptr)},
-            {"offset_error_in", knows_offset ? error(FaultHypothesis::offset, units.offset_in) : json::value(nullptr)}};
+            {"leak_in3_per_s_psi", known(knows_leak, by(FaultHypothesis::leak, units.leak_in3_per_s_psi))},
+            {"leak_error_in3_per_s_psi", known(knows_leak, error(FaultHypothesis::leak, units.leak_in3_per_s_psi))},
+            {"offset_in", known(knows_offset, by(FaultHypothesis::offset, units.offset_in))},
+            {"offset_error_in", known(knows_offset, error(FaultHypothesis::offset, units.offset_in))}};
 }
 
 json::object check_json(const Diagnosis& diagnosis, Link link) {
@@ -159,15 +165,20 @@ std::string estimates_line(const Diagnosis& diagnosis, const SampleOutcome& outc
                            const DiagnosisSettings& settings) {
     json::object sets;
     for (LinkSet set : diagnosis.sets_in_use())
-        if (auto found = diagnosis.sets().find(set); found != diagnosis.sets().end())
-            sets[name_of_set(set)] = set_json(diagnosis, found->second, settings);
-    return json_line({{"type", "estimates"},
-                      {"machine", diagnosis.name()},
-                      {"samples", diagnosis.samples()},
-                      {"time_s", time_json(diagnosis.time_s())},
-                      {"generations", outcome.generations},
-                      {"window_restarted", outcome.window_restarted},
-                      {"sets", std::move(sets)}});
+        if (auto found = diagnosis.estimates(set))
+            sets[name_of_set(set)] = set_json(diagnosis, *found, settings);
+    json::object answer{{"type", "estimates"},
+                        {"machine", diagnosis.name()},
+                        {"samples", diagnosis.samples()},
+                        {"time_s", time_json(diagnosis.time_s())},
+                        {"generations", outcome.generations},
+                        {"window_restarted", outcome.window_restarted},
+                        {"sets", std::move(sets)}};
+    if (diagnosis.recognises()) {
+        answer["configuration"] = configuration_json(diagnosis);
+        answer["active"] = symbols(diagnosis.active());
+    }
+    return json_line(answer);
 }
 
 std::string alarm_line(const Diagnosis& diagnosis, const Alarm& alarm, bool raised) {
@@ -182,9 +193,8 @@ std::string alarm_line(const Diagnosis& diagnosis, const Alarm& alarm, bool rais
 
 std::string status_line(const Diagnosis& diagnosis, const DiagnosisSettings& settings) {
     json::object sets, links;
-    for (LinkSet set : all_population_sets())
-        if (auto found = diagnosis.sets().find(set); found != diagnosis.sets().end())
-            sets[name_of_set(set)] = set_json(diagnosis, found->second, settings);
+    for (const SetEstimates& set : diagnosis.estimates())
+        sets[name_of_set(set.set)] = set_json(diagnosis, set, settings);
     for (Link link : all_links)
         links[symbol_of(link)] = check_json(diagnosis, link);
     json::array alarms;

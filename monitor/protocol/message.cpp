@@ -109,9 +109,12 @@ Message hello(FieldReader& fields) {
 Message configuration(FieldReader& fields) {
     ConfigurationChange change;
     std::string name = fields.text("configuration");
+    if (name == "auto")
+        return RecognisedConfiguration{}; // an array "active" is then an unknown field
     auto named = configuration_named(name);
     if (!named)
-        throw BadMessage("configuration", fmt::format("it is \"{}\"", name), "one of \"a\" \"b\" \"c\" \"d\" \"e\"");
+        throw BadMessage("configuration", fmt::format("it is \"{}\"", name),
+                         "one of \"a\" \"b\" \"c\" \"d\" \"e\" \"auto\"");
     change.configuration = *named;
     for (const boost::json::value& each : fields.array("active")) {
         if (!each.is_string())

@@ -60,9 +60,9 @@ struct LoadRequest {};
 struct Ping {};
 struct Bye {};
 
-using Message =
-    std::variant<Hello, identification::ConfigurationChange, identification::ExcavatorSample, identification::Baseline,
-                 StatusRequest, LoadRequest, Ping, Bye, AlarmsRequest, TokenOffer, Forget, Acknowledge, Shelve>;
+using Message = std::variant<Hello, identification::ConfigurationChange, identification::RecognisedConfiguration,
+                             identification::ExcavatorSample, identification::Baseline, StatusRequest, LoadRequest,
+                             Ping, Bye, AlarmsRequest, TokenOffer, Forget, Acknowledge, Shelve>;
 
 /// Parses a line. Throws BadMessage if the line is not a message of the protocol.
 Message parse_message(std::string_view line);

@@ -273,7 +273,8 @@ void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& f
     tell_alarms(diagnosis, forgotten);
 }
 
-void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
+template <typename Change>
+void Dispatcher::configure(Client& client, const Change& change, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
     SettledEstimates settled(diagnosis);
     diagnosis.change(change);
@@ -283,6 +284,14 @@ void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
     if (searches_)
         searches_->follow(diagnosis);
+}
+
+void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::string_view line) {
+    configure(client, change, line);
+}
+
+void Dispatcher::answer(Client& client, const RecognisedConfiguration& change, std::string_view line) {
+    configure(client, change, line);
 }
 
 void Dispatcher::answer(Client& client, const ExcavatorSample& sample, std::string_view line) {

@@ -52,7 +52,10 @@ public:
 
 private:
     void answer(Client&, const Hello&, std::string_view line);
+    template <typename Change>
+    void configure(Client&, const Change&, std::string_view line);
     void answer(Client&, const identification::ConfigurationChange&, std::string_view line);
+    void answer(Client&, const identification::RecognisedConfiguration&, std::string_view line);
     void answer(Client&, const identification::ExcavatorSample&, std::string_view line);
     void answer(Client&, const identification::Baseline&, std::string_view line);
     void answer(Client&, const StatusRequest&, std::string_view line);

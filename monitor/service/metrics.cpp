@@ -26,10 +26,10 @@ void for_each_estimate(
     const Diagnoses& diagnoses,
     const std::function<void(const Diagnosis&, std::string_view, std::string_view, const LinkEstimate&)>& do_this) {
     for (const auto& [name, diagnosis] : diagnoses.all())
-        for (const auto& [set, population] : diagnosis.sets()) {
-            std::vector<Link> links = links_of(set);
+        for (const SetEstimates& set : diagnosis.estimates()) {
+            std::vector<Link> links = links_of(set.set);
             for (std::size_t i = 0; i < links.size(); ++i)
-                do_this(diagnosis, name_of_set(set), symbol_of(links[i]), population.state().estimates[i]);
+                do_this(diagnosis, name_of_set(set.set), symbol_of(links[i]), set.links[i]);
         }
 }
 

@@ -175,14 +175,19 @@ def print_estimates(answer):
         for symbol, link in state["links"].items():
             if link["compliance_in3_per_psi"] is not None:
                 flags = "".join(f", {flag}" for flag in link["flags"])
+                error = link["standard_error_in3_per_psi"]
+                how = (f"{link['excitation_psi_per_s']:.0f} psi/s" if "excitation_psi_per_s" in link
+                       else f"standard error {error:.5f}" if error else "standard error unknown")
                 print(f"{answer['time_s']:7.2f} s  {name} {symbol}: {link['compliance_in3_per_psi']:.5f} in^3/psi, "
-                      f"{link['excitation_psi_per_s']:.0f} psi/s{flags}")
+                      f"{how}{flags}")
 
 
 def replay(monitor, samples, offset_s, options):
     """One record; gives the time of its last sample."""
-    monitor.ask({"type": "configuration", "configuration": options.configuration,
-                 "active": sorted(samples[0]["links"])}, "configured")
+    configuration = {"type": "configuration", "configuration": options.configuration}
+    if options.configuration != "auto":
+        configuration["active"] = sorted(samples[0]["links"])
+    monitor.ask(configuration, "configured")
     began = time.monotonic()
     for number, sample in enumerate(samples):
         if options.speed > 0:
@@ -197,8 +202,9 @@ def replay(monitor, samples, offset_s, options):
 
 
 def print_status(status):
-    for symbol in status["active"]:
-        link = status["links"][symbol]
+    for symbol, link in status["links"].items():
+        if symbol not in status["active"] and not link["off"]["movements"]:
+            continue
         off = link["off"]
         sure = f", {min(100 * off['probability'], 99):.0f} % sure" if off["movements"] else ""
         print(f"{symbol}: {off['verdict']}{sure}; compliance in health {link['baseline_in3_per_psi']:.5f} in^3/psi")
@@ -214,7 +220,8 @@ def arguments():
     parser.add_argument("--token-file", type=pathlib.Path, metavar="FILE", help="what the monitor wants to be told")
     parser.add_argument("--start", action="store_true", help="starts a monitor for this replay")
     parser.add_argument("--machine", default="digger")
-    parser.add_argument("--configuration", default="a", choices="abcde", help="of the main valve")
+    parser.add_argument("--configuration", default="a", choices=[*"abcde", "auto"],
+                        help="of the main valve; auto: the monitor recognises it")
     parser.add_argument("--every", type=int, default=10, metavar="N", help="prints the estimates of every Nth sample")
     options = parser.parse_args()
     if options.start == (options.port is not None):

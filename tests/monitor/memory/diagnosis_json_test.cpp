@@ -1,4 +1,5 @@
 #include "monitor/memory/diagnosis_json.hpp"
+#include "tests/identification/on_line/digging.hpp"
 #include "tests/identification/on_line/transient.hpp"
 
 #include <boost/json.hpp>
@@ -125,6 +126,48 @@ TEST_CASE("inconsistent parts of a population set, movement or watched set are r
     refused("of a movement", [&](State& state) { watch(state).movement.shut.emplace_back(9); });
     refused("of a watched set", [&](State& state) { watch(state).valves.pop_back(); });
     refused("of a watched set", [&](State& state) { watch(state).judges.front().first.resize(100); });
+}
+
+TEST_CASE("a diagnosis that recognises configurations is restored from JSON") {
+    const Record record = dug(400, 30);
+    Diagnosis diagnosis = recognising();
+    for (std::size_t i = 0; i < record.size(); ++i) {
+        if (i % 500 == 499) {
+            Diagnosis restored(state_from(boost::json::parse(text_of(diagnosis)), {}), {}, 1);
+            CHECK(restored.state() == diagnosis.state());
+            diagnosis = std::move(restored);
+        }
+        diagnosis.take(sample_at(record, i));
+    }
+    const Diagnosis::State good = diagnosis.state();
+    REQUIRE(good.moving);
+    REQUIRE_FALSE(good.moving->estimates.empty());
+    auto refused = [&](const char* because, auto change) {
+        Diagnosis::State bad = good;
+        change(*bad.moving);
+        CHECK_THROWS_WITH_AS(state_from(state_json(bad), {}), doctest::Contains(because), std::runtime_error);
+    };
+    using State = MovingDiagnosisState;
+    const LinkSet set = good.moving->estimates.begin()->first;
+    auto search = [&](State& state) -> SetSearchState& { return state.search.searches.at(set); };
+    refused("of the search of a set", [&](State& state) { search(state).population.pop_back(); });
+    refused("of the search of a set", [&](State& state) { search(state).population.front() = Genome(3); });
+    refused("of the search of a set", [&](State& state) { search(state).configurations.clear(); });
+    refused("of the samples of a configuration",
+            [&](State& state) { search(state).configurations.front().samples.front().links.emplace_back(); });
+    refused("of the estimates of a set", [&](State& state) { state.estimates.at(set).emplace_back(); });
+    refused("of the estimates of a set", [&](State& state) { state.search.searches.erase(set); });
+    refused("of a sample that waits", [&](State& state) { state.search.pending = {{LinkSet(), {0, 0, {}}}}; });
+    refused("of the recognised configuration", [&](State& state) { state.search.watch.recent.resize(100); });
+}
+
+TEST_CASE("a state of an earlier version has no recognised configuration") {
+    Diagnosis diagnosis("digger", excavator_parameters(Parameters::excavator()), {}, 1);
+    boost::json::value stored = state_json(diagnosis.state());
+    CHECK(stored.as_object().erase("moving") == 1);
+    CHECK(state_from(stored, {}) == diagnosis.state());
+    CHECK(stored.as_object().erase("alarms") == 1);
+    CHECK_THROWS_WITH_AS(state_from(stored, {}), doctest::Contains("alarms: it is missing"), std::runtime_error);
 }
 
 TEST_CASE("a state whose matrices have no inverse is refused") {
