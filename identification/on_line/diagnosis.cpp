@@ -1,6 +1,7 @@
 #include "identification/on_line/diagnosis.hpp"
 
 #include "hydraulics/data/frozen_run.hpp"
+#include "identification/on_line/diagnosis_state.hpp"
 #include "identification/on_line/moving_diagnosis.hpp"
 #include "identification/on_line/refused_sample.hpp"
 
@@ -34,6 +35,10 @@ AreasFrom areas_from(const std::variant<SpoolPosition, ServoVoltage, ValveAreas>
     return std::holds_alternative<SpoolPosition>(valve) ? AreasFrom::spool : AreasFrom::areas;
 }
 
+SetWatch::State& watch_of(DiagnosisState& state, LinkSet set) {
+    return state.watches.try_emplace(set, SetWatch::first_state(set)).first->second;
+}
+
 Diagnosis::State first_state_of(std::string name, const ExcavatorParameters& parameters) {
     Diagnosis::State state;
     state.name = std::move(name);
@@ -49,17 +54,32 @@ Diagnosis::Diagnosis(std::string name, const ExcavatorParameters& parameters, co
     : Diagnosis(first_state_of(std::move(name), parameters), settings, seed) {}
 
 Diagnosis::Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed)
-    : settings_(settings), seed_(seed), sampling_(Sampling::of(state.parameters.period_s)), state_(std::move(state)),
-      fit_(sampling_.period_s()) {
+    : settings_(settings), seed_(seed), sampling_(Sampling::of(state.parameters.period_s)),
+      state_(std::make_unique<State>(std::move(state))), fit_(sampling_.period_s()) {
     settings_.validate();
-    for (auto& [links, set] : state_.sets)
-        sets_.try_emplace(links, links, settings_, seed_, fmt::format("{}/{}", state_.name, name_of_set(links)),
+    for (auto& [links, set] : state_->sets)
+        sets_.try_emplace(links, links, settings_, seed_, fmt::format("{}/{}", state_->name, name_of_set(links)),
                           std::move(set));
-    state_.sets.clear();
-    if (!state_.moving)
+    state_->sets.clear();
+    if (!state_->moving)
         return;
     make_moving();
-    moving_->go_on_from(*std::exchange(state_.moving, std::nullopt));
+    moving_->go_on_from(*std::exchange(state_->moving, std::nullopt));
+}
+
+const std::string& Diagnosis::name() const { return state_->name; }
+const ExcavatorParameters& Diagnosis::parameters() const { return state_->parameters; }
+std::optional<Configuration> Diagnosis::configuration() const { return state_->configuration; }
+LinkSet Diagnosis::active() const { return state_->active; }
+std::optional<double> Diagnosis::time_s() const { return state_->time_s; }
+std::uint64_t Diagnosis::samples() const { return state_->samples; }
+std::optional<double> Diagnosis::sample_s() const { return state_->sample_s; }
+double Diagnosis::health_in3_per_psi(Link link) const { return state_->health_in3_per_psi[index_of(link)]; }
+const std::vector<Alarm>& Diagnosis::alarms() const { return state_->alarms; }
+void Diagnosis::connected() { state_->time_may_restart = true; }
+
+std::optional<LinkSample> Diagnosis::centre(Link link) const {
+    return state_->tracks[index_of(link)].centre(fit_, state_->parameters.links[index_of(link)]);
 }
 
 Diagnosis::Diagnosis(Diagnosis&&) noexcept = default;
@@ -67,11 +87,11 @@ Diagnosis& Diagnosis::operator=(Diagnosis&&) noexcept = default;
 Diagnosis::~Diagnosis() = default;
 
 void Diagnosis::make_moving() {
-    moving_ = std::make_unique<MovingDiagnosis>(state_.parameters, sampling_.period_s(), seed_, state_.name);
+    moving_ = std::make_unique<MovingDiagnosis>(state_->parameters, sampling_.period_s(), seed_, state_->name);
 }
 
 Diagnosis::State Diagnosis::state() const {
-    State copy = state_;
+    State copy = *state_;
     for (const auto& [links, set] : sets_)
         copy.sets.emplace(links, set.state());
     if (moving_)
@@ -98,20 +118,20 @@ std::vector<SetEstimates> Diagnosis::estimates() const {
 }
 
 std::vector<LinkSet> Diagnosis::sets_in_use() const {
-    if (!state_.configuration)
+    if (!state_->configuration)
         return {};
-    return identification::sets_in_use(*state_.configuration, state_.active);
+    return identification::sets_in_use(*state_->configuration, state_->active);
 }
 
 PopulationSet& Diagnosis::population(LinkSet set) {
     auto [place, made] =
-        sets_.try_emplace(set, set, settings_, seed_, fmt::format("{}/{}", state_.name, name_of_set(set)));
+        sets_.try_emplace(set, set, settings_, seed_, fmt::format("{}/{}", state_->name, name_of_set(set)));
     return place->second;
 }
 
 const SetProblem& Diagnosis::problem(LinkSet set) {
-    auto [place, made] = problems_.try_emplace({*state_.configuration, set}, *state_.configuration, set,
-                                               state_.parameters.flow, settings_.bits);
+    auto [place, made] = problems_.try_emplace({*state_->configuration, set}, *state_->configuration, set,
+                                               state_->parameters.flow, settings_.bits);
     return place->second;
 }
 
@@ -120,30 +140,30 @@ void Diagnosis::change(const RecognisedConfiguration&) {
         return;
     restart_windows();
     make_moving();
-    state_.configuration = moving_->configuration();
-    state_.active = {};
+    state_->configuration = moving_->configuration();
+    state_->active = {};
 }
 
 void Diagnosis::change(const ConfigurationChange& change) {
-    if (!moving_ && state_.configuration == change.configuration && state_.active == change.active)
+    if (!moving_ && state_->configuration == change.configuration && state_->active == change.active)
         return;
     restart_windows(); // for the sets of the old configuration
     moving_.reset();
-    state_.configuration = change.configuration;
-    state_.active = change.active;
+    state_->configuration = change.configuration;
+    state_->active = change.active;
     for (Link link : all_links)
-        if (!state_.active.contains(link))
-            state_.tracks[index_of(link)] = {}; // readings of an inactive link are not kept
+        if (!state_->active.contains(link))
+            state_->tracks[index_of(link)] = {}; // readings of an inactive link are not kept
 }
 
 void Diagnosis::restart_windows() {
-    state_.open = {};
-    state_.sample_s.reset();
-    for (LinkTrack& track : state_.tracks)
+    state_->open = {};
+    state_->sample_s.reset();
+    for (LinkTrack& track : state_->tracks)
         track.restart();
-    for (FrozenWatch& pressure : state_.pressures)
+    for (FrozenWatch& pressure : state_->pressures)
         pressure.restart();
-    for (FrozenWatch& angle : state_.angles)
+    for (FrozenWatch& angle : state_->angles)
         angle.restart();
     if (moving_)
         return moving_->restart();
@@ -154,20 +174,20 @@ void Diagnosis::restart_windows() {
     }
 }
 
-LinkSet Diagnosis::read_links() const { return moving_ ? LinkSet::all() : state_.active; }
+LinkSet Diagnosis::read_links() const { return moving_ ? LinkSet::all() : state_->active; }
 
 void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
-    if (!state_.configuration)
+    if (!state_->configuration)
         throw RefusedSample(NoConfiguration{});
     for (Link link : links_of(read_links()))
         if (!sample.links[index_of(link)])
             throw RefusedSample(LinkNotRead{link});
-    if (state_.time_s && sample.time_s <= *state_.time_s && !state_.time_may_restart)
-        throw RefusedSample(TimeNotLater{sample.time_s, *state_.time_s});
+    if (state_->time_s && sample.time_s <= *state_->time_s && !state_->time_may_restart)
+        throw RefusedSample(TimeNotLater{sample.time_s, *state_->time_s});
 }
 
 std::optional<double> Diagnosis::elapsed_s(double time_s) const {
-    return state_.time_s && time_s > *state_.time_s ? std::optional(time_s - *state_.time_s) : std::nullopt;
+    return state_->time_s && time_s > *state_->time_s ? std::optional(time_s - *state_->time_s) : std::nullopt;
 }
 
 bool Diagnosis::follows(std::optional<double> elapsed_s) const {
@@ -177,32 +197,32 @@ bool Diagnosis::follows(std::optional<double> elapsed_s) const {
 }
 
 void Diagnosis::read(const ExcavatorSample& sample, std::optional<double> elapsed_s) {
-    if (state_.open.readings++ == 0)
-        state_.open.first_s = sample.time_s;
-    state_.open.after_s += sample.time_s - state_.open.first_s;
-    state_.time_s = sample.time_s;
-    state_.time_may_restart = false;
-    ++state_.samples;
+    if (state_->open.readings++ == 0)
+        state_->open.first_s = sample.time_s;
+    state_->open.after_s += sample.time_s - state_->open.first_s;
+    state_->time_s = sample.time_s;
+    state_->time_may_restart = false;
+    ++state_->samples;
     for (Link link : links_of(read_links()))
-        state_.tracks[index_of(link)].read(*sample.links[index_of(link)], state_.parameters.links[index_of(link)],
-                                           elapsed_s);
+        state_->tracks[index_of(link)].read(*sample.links[index_of(link)], state_->parameters.links[index_of(link)],
+                                            elapsed_s);
 }
 
 bool Diagnosis::finish_sample(SampleOutcome& outcome) {
-    if (state_.open.readings < sampling_.readings)
+    if (state_->open.readings < sampling_.readings)
         return false;
-    const double middle_s = state_.open.middle_s(), late_s = jitter * sampling_.period_s();
-    if (sampling_.readings > 1 && state_.sample_s &&
-        std::abs(middle_s - *state_.sample_s - sampling_.period_s()) > late_s) {
+    const double middle_s = state_->open.middle_s(), late_s = jitter * sampling_.period_s();
+    if (sampling_.readings > 1 && state_->sample_s &&
+        std::abs(middle_s - *state_->sample_s - sampling_.period_s()) > late_s) {
         outcome.window_restarted = true;
         restart_windows();
-        state_.sample_s = middle_s;
+        state_->sample_s = middle_s;
         return false;
     }
-    state_.open = {};
-    state_.sample_s = middle_s;
+    state_->open = {};
+    state_->sample_s = middle_s;
     for (Link link : links_of(read_links()))
-        state_.tracks[index_of(link)].finish_sample();
+        state_->tracks[index_of(link)].finish_sample();
     return true;
 }
 
@@ -211,7 +231,7 @@ SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
     SampleOutcome outcome;
     std::optional<double> elapsed = elapsed_s(sample.time_s);
     if (!follows(elapsed)) {
-        outcome.window_restarted = state_.time_s.has_value();
+        outcome.window_restarted = state_->time_s.has_value();
         restart_windows();
     }
     read(sample, elapsed);
@@ -226,21 +246,21 @@ std::size_t Diagnosis::recognise() {
     ValveReading reading{};
     for (Link link : all_links) {
         const std::size_t i = index_of(link);
-        const LinkTrack::Newest newest = state_.tracks[i].newest(state_.parameters.links[i]);
+        const LinkTrack::Newest newest = state_->tracks[i].newest(state_->parameters.links[i]);
         reading.links.inlet_psi[i] = newest.inlet_psi;
         reading.links.inlet_in2[i] = newest.inlet_in2;
         reading.links.bypass_in2[i] = newest.bypass_in2;
         reading.piston_in3[i] = newest.piston_in3;
     }
-    const std::size_t generations = moving_->take(reading, *state_.sample_s);
-    state_.judged |= generations > 0;
-    state_.configuration = moving_->configuration();
-    state_.active = moving_->driven();
+    const std::size_t generations = moving_->take(reading, *state_->sample_s);
+    state_->judged |= generations > 0;
+    state_->configuration = moving_->configuration();
+    state_->active = moving_->driven();
     return generations;
 }
 
 std::size_t Diagnosis::search(const ExcavatorSample& sample) {
-    const double centre_s = *state_.sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
+    const double centre_s = *state_->sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
     std::size_t generations = 0;
     for (LinkSet set : sets_in_use())
         generations += search(set, sample, centre_s);
@@ -255,39 +275,35 @@ SampleOutcome Diagnosis::end_movements() {
 }
 
 const Movement::State* Diagnosis::movement(LinkSet set) const {
-    auto found = state_.watches.find(set);
-    bool moves = found != state_.watches.end() && !found->second.movement.samples.moving.empty();
+    auto found = state_->watches.find(set);
+    bool moves = found != state_->watches.end() && !found->second.movement.samples.moving.empty();
     return moves ? &found->second.movement : nullptr;
 }
 
 void Diagnosis::judge(SampleOutcome& outcome) {
     outcome.judged = std::exchange(judged_, {});
-    if (std::exchange(state_.judged, false))
+    if (std::exchange(state_->judged, false))
         update_alarms(outcome);
 }
 
 std::size_t Diagnosis::search(LinkSet set, const ExcavatorSample& sample, double centre_s) {
     SetSample samples;
     for (Link link : links_of(set)) {
-        auto centre = state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
+        auto centre = state_->tracks[index_of(link)].centre(fit_, state_->parameters.links[index_of(link)]);
         if (!centre)
             return 0;
         samples.push_back(*centre);
-        if (state_.tracks[index_of(link)].spikes(sampling_.period_s()))
+        if (state_->tracks[index_of(link)].spikes(sampling_.period_s()))
             note_impossible(set, link);
     }
     watch(set, samples, sample);
     return population(set).take(problem(set), samples, centre_s);
 }
 
-SetWatch::State& Diagnosis::watch_of(LinkSet set) {
-    return state_.watches.try_emplace(set, SetWatch::first_state(set)).first->second;
-}
-
 std::vector<double> Diagnosis::health_in3_per_psi(LinkSet set) const {
     std::vector<double> health;
     for (Link link : links_of(set))
-        health.push_back(state_.health_in3_per_psi[index_of(link)]);
+        health.push_back(state_->health_in3_per_psi[index_of(link)]);
     return health;
 }
 
@@ -295,32 +311,32 @@ void Diagnosis::watch(LinkSet set, const SetSample& centre, const ExcavatorSampl
     std::vector<AreasFrom> valves;
     for (Link link : links_of(set))
         valves.push_back(areas_from(newest.links[index_of(link)]->valve));
-    SetWatch::State& state = watch_of(set);
+    SetWatch::State& state = watch_of(*state_, set);
     SetWatch watch(sampling_, std::move(state));
     if (watch.note_moving_shut(centre, health_in3_per_psi(set)))
-        state_.judged = true;
+        state_->judged = true;
     note(set, watch.take(problem(set), centre, valves, health_in3_per_psi(set)));
     state = watch.state();
 }
 
 void Diagnosis::end_movement(LinkSet set) {
-    SetWatch::State& state = watch_of(set);
+    SetWatch::State& state = watch_of(*state_, set);
     SetWatch watch(sampling_, std::move(state));
     note(set, watch.end_movement(problem(set), health_in3_per_psi(set)));
     state = watch.state();
 }
 
-void Diagnosis::note(LinkSet set, SetWatch::Judged judged) {
+void Diagnosis::note(LinkSet set, std::optional<std::vector<Deviation>> judged) {
     if (!judged)
         return;
-    state_.judged = true;
+    state_->judged = true;
     judged_.push_back({set, std::move(*judged)});
 }
 
 bool Diagnosis::is_impossible(Link link, const Reading& reading) {
     const std::size_t fewest = fewest_frozen(sampling_.reading_s), i = index_of(link);
-    const bool pressure_froze = state_.pressures[i].take(reading.inlet_psi, least_jump_psi, fewest);
-    const bool angle_froze = state_.angles[i].take(reading.angle_deg, least_jump_deg, fewest);
+    const bool pressure_froze = state_->pressures[i].take(reading.inlet_psi, least_jump_psi, fewest);
+    const bool angle_froze = state_->angles[i].take(reading.angle_deg, least_jump_deg, fewest);
     return pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi;
 }
 
@@ -331,7 +347,7 @@ void Diagnosis::watch_readings(const ExcavatorSample& sample) {
 }
 
 void Diagnosis::note_impossible(Link link) {
-    state_.judged = true;
+    state_->judged = true;
     if (moving_)
         return moving_->note_impossible(link);
     for (LinkSet set : sets_in_use())
@@ -340,32 +356,32 @@ void Diagnosis::note_impossible(Link link) {
 }
 
 void Diagnosis::note_impossible(LinkSet set, Link link) {
-    SetWatch::State& state = watch_of(set);
+    SetWatch::State& state = watch_of(*state_, set);
     SetWatch watch(sampling_, std::move(state));
     watch.note_impossible(position_in(set, link));
     state = watch.state();
-    state_.judged = true;
+    state_->judged = true;
 }
 
 LinkVerdict Diagnosis::verdict(Link link) const {
     if (moving_)
-        return moving_->verdict(link, state_.health_in3_per_psi[index_of(link)]);
+        return moving_->verdict(link, state_->health_in3_per_psi[index_of(link)]);
     auto weight = [](const Verdict& verdict) {
         bool fault = alarm_of(verdict.kind).has_value();
         return std::pair(fault, verdict.movements);
     };
     Verdict most;
-    for (const auto& [set, state] : state_.watches)
+    for (const auto& [set, state] : state_->watches)
         if (set.contains(link))
             if (Verdict verdict = LinkJudge(state.judges[position_in(set, link)]).verdict();
                 weight(verdict) > weight(most))
                 most = verdict;
-    return {most, WayUnits::of(state_.health_in3_per_psi[index_of(link)])};
+    return {most, WayUnits::of(state_->health_in3_per_psi[index_of(link)])};
 }
 
 double Diagnosis::baseline_in3_per_psi(Link link) const {
-    const double health = state_.health_in3_per_psi[index_of(link)];
-    for (const auto& [set, state] : state_.watches)
+    const double health = state_->health_in3_per_psi[index_of(link)];
+    for (const auto& [set, state] : state_->watches)
         if (set.contains(link))
             if (auto own = LinkJudge(state.judges[position_in(set, link)]).baseline())
                 return health + WayUnits::of(health).compliance_in3_per_psi * own->by[0];
@@ -379,7 +395,7 @@ LinkCheck Diagnosis::check(Link link) const {
             continue;
         const LinkEstimate& estimate = links[position_in(set, link)];
         double settled_s = estimate.state().settled_time_s;
-        if (!estimate.settled_in3_per_psi() || std::abs(*state_.time_s - settled_s) > settings_.stale_after_s)
+        if (!estimate.settled_in3_per_psi() || std::abs(*state_->time_s - settled_s) > settings_.stale_after_s)
             continue;
         check.estimates.push_back({set, *estimate.settled_in3_per_psi(), *estimate.lasting_in3_per_psi(),
                                    estimate.state().settled_in3_per_psi.size(), settled_s});
@@ -390,8 +406,8 @@ LinkCheck Diagnosis::check(Link link) const {
 SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
     for (Link link : all_links)
         if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)]) {
-            state_.health_in3_per_psi[index_of(link)] = *compliance;
-            for (auto& [set, state] : state_.watches)
+            state_->health_in3_per_psi[index_of(link)] = *compliance;
+            for (auto& [set, state] : state_->watches)
                 if (set.contains(link))
                     state.judges[position_in(set, link)] = {};
         }
@@ -405,9 +421,9 @@ void Diagnosis::update_alarms(SampleOutcome& outcome) {
     for (Link link : all_links)
         verdicts[index_of(link)] = verdict(link);
     std::vector<Alarm> now = find_alarms(verdicts);
-    outcome.raised = without(now, state_.alarms);
-    outcome.cleared = without(state_.alarms, now);
-    state_.alarms = std::move(now);
+    outcome.raised = without(now, state_->alarms);
+    outcome.cleared = without(state_->alarms, now);
+    state_->alarms = std::move(now);
 }
 
 } // namespace placedpar::identification

@@ -4,13 +4,10 @@
 #include "identification/on_line/alarm.hpp"
 #include "identification/on_line/cross_check.hpp"
 #include "identification/on_line/excavator_parameters.hpp"
-#include "identification/on_line/frozen_watch.hpp"
 #include "identification/on_line/inputs.hpp"
-#include "identification/on_line/link_track.hpp"
-#include "identification/on_line/moving_state.hpp"
 #include "identification/on_line/population_set.hpp"
 #include "identification/on_line/population_sets.hpp"
-#include "identification/on_line/set_watch.hpp"
+#include "identification/verdict/movement.hpp"
 
 #include <cstdint>
 #include <map>
@@ -23,6 +20,7 @@
 
 namespace placedpar::identification {
 
+struct DiagnosisState; // identification/on_line/diagnosis_state.hpp
 class MovingDiagnosis; // identification/on_line/moving_diagnosis.hpp
 
 /// The deviations of the links of a population set (population_sets.hpp) in one movement, in the order of links_of().
@@ -30,40 +28,6 @@ struct JudgedMovement {
     hydraulics::LinkSet set;
     /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.
     std::vector<Deviation> links;
-};
-
-/// The readings of a sample that is not complete yet.
-struct OpenSample {
-    std::size_t readings = 0;
-    double first_s = 0; ///< time of the first reading
-    double after_s = 0; ///< sum of the delays of all readings after the first
-
-    double middle_s() const { return first_s + after_s / static_cast<double>(readings); }
-    friend bool operator==(const OpenSample&, const OpenSample&) = default;
-};
-
-/// Holds everything that is needed to restore a Diagnosis.
-struct DiagnosisState {
-    std::string name; ///< name of the excavator
-    ExcavatorParameters parameters;
-    std::optional<hydraulics::Configuration> configuration;
-    hydraulics::LinkSet active;
-    std::optional<double> time_s;  ///< time of the last reading
-    bool time_may_restart = false; ///< whether a control system has connected since the last reading
-    std::uint64_t samples = 0;     ///< number of instants read
-    OpenSample open;
-    std::optional<double> sample_s; ///< mean time of the last complete sample; nullopt after the windows have restarted
-    hydraulics::PerLink<LinkTrack> tracks;
-    std::map<hydraulics::LinkSet, PopulationSet::State> sets; ///< all sets ever used
-    /// Healthy compliances: set by the control system, or else typical of the machine's kind.
-    hydraulics::PerLink<double> health_in3_per_psi{};
-    hydraulics::PerLink<FrozenWatch> pressures, angles;
-    std::map<hydraulics::LinkSet, SetWatch::State> watches; ///< one for each set ever used
-    bool judged = false;       ///< whether a verdict may have changed since the alarms were last determined
-    std::vector<Alarm> alarms; ///< active alarms
-    std::optional<MovingDiagnosisState> moving; ///< nullopt: the control system reports the configuration
-
-    friend bool operator==(const DiagnosisState&, const DiagnosisState&) = default;
 };
 
 /// The effects of one reading.
@@ -96,23 +60,21 @@ public:
     /// Returns a copy of the state, with the states of the population sets.
     State state() const;
 
-    const std::string& name() const { return state_.name; }
-    const ExcavatorParameters& parameters() const { return state_.parameters; }
+    const std::string& name() const;
+    const ExcavatorParameters& parameters() const;
     /// Returns whether the configuration is recognised from the readings.
     bool recognises() const { return moving_ != nullptr; }
     /// Returns the configuration, as reported or as recognised at the last sample.
-    std::optional<hydraulics::Configuration> configuration() const { return state_.configuration; }
+    std::optional<hydraulics::Configuration> configuration() const;
     /// Returns the active links, as reported or as recognised at the last sample.
-    hydraulics::LinkSet active() const { return state_.active; }
-    std::optional<double> time_s() const { return state_.time_s; }
-    std::uint64_t samples() const { return state_.samples; } ///< number of instants read
+    hydraulics::LinkSet active() const;
+    std::optional<double> time_s() const;
+    std::uint64_t samples() const; ///< number of instants read
     const hydraulics::Sampling& sampling() const { return sampling_; }
     /// Returns the mean time of the last complete sample; nullopt after the windows have restarted.
-    std::optional<double> sample_s() const { return state_.sample_s; }
+    std::optional<double> sample_s() const;
     /// Returns the state of the link two samples before sample_s(); nullopt if the windows have restarted since.
-    std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const {
-        return state_.tracks[index_of(link)].centre(fit_, state_.parameters.links[index_of(link)]);
-    }
+    std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const;
     /// Returns the population sets that were searched in reported configurations.
     const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
     /// Returns the estimates of the set; nullopt if it has not been used.
@@ -122,10 +84,8 @@ public:
     std::vector<SetEstimates> estimates() const;
     /// Returns the compliance of the healthy link: the value that the control system has set, or else the value for the
     /// machine's kind.
-    double health_in3_per_psi(hydraulics::Link link) const {
-        return state_.health_in3_per_psi[hydraulics::index_of(link)];
-    }
-    const std::vector<Alarm>& alarms() const { return state_.alarms; }
+    double health_in3_per_psi(hydraulics::Link link) const;
+    const std::vector<Alarm>& alarms() const;
     std::vector<hydraulics::LinkSet> sets_in_use() const;
     LinkCheck check(hydraulics::Link link) const;
     /// Returns one of the verdicts that the sets give on the link: a verdict that states a fault, if there is one, and
@@ -136,7 +96,7 @@ public:
     double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// Records that a control system has connected, so the time of its samples may restart.
-    void connected() { state_.time_may_restart = true; }
+    void connected();
     /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart. Ends
     /// the recognition of the configuration and forgets what was found by it.
     void change(const ConfigurationChange& change);
@@ -178,8 +138,7 @@ private:
     void note_impossible(hydraulics::Link link);
     void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
     std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
-    void note(hydraulics::LinkSet set, SetWatch::Judged judged);
-    SetWatch::State& watch_of(hydraulics::LinkSet set);
+    void note(hydraulics::LinkSet set, std::optional<std::vector<Deviation>> judged);
     const SetProblem& problem(hydraulics::LinkSet set);
     PopulationSet& population(hydraulics::LinkSet set);
     void judge(SampleOutcome& outcome);
@@ -188,7 +147,7 @@ private:
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     hydraulics::Sampling sampling_;
-    State state_;                        ///< without the states of the population sets and of moving_
+    std::unique_ptr<State> state_;       ///< without the states of the population sets and of moving_
     std::vector<JudgedMovement> judged_; ///< movements judged since the last outcome
     hydraulics::CentredLineFit fit_;
     std::unique_ptr<MovingDiagnosis> moving_; ///< null: the control system reports the configuration

@@ -4,6 +4,7 @@
 #include "hydraulics/plant/moving_record.hpp"
 #include "hydraulics/plant/requirement.hpp"
 #include "identification/on_line/diagnosis.hpp"
+#include "identification/on_line/diagnosis_state.hpp"
 #include "identification/on_line/record_samples.hpp"
 #include "tests/random_job.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "identification/on_line/diagnosis.hpp"
+#include "identification/on_line/diagnosis_state.hpp"
 
 #include <array>
 #include <cmath>
