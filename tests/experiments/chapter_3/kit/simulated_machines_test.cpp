@@ -176,7 +176,7 @@ TEST_CASE("verdicts have a share of sound machines with an alarm, and of each fa
     CHECK(table.judged);
     CHECK(table.name == "on-line verdicts: two links by areas, 1 machines of each kind");
     for (const char* noise : {"low noise", "mid noise", "high noise"}) {
-        CHECK(std::ranges::count(replay.told, "two links by areas, " + std::string(noise) + ": 0 of 1 seeds") == 1);
+        CHECK(std::ranges::count(replay.told, "two links by areas, " + std::string(noise) + ": 0 of 1 seeds") >= 1);
         CHECK(std::ranges::any_of(table.cells, [&](const Cell& cell) {
             return cell.column == noise && cell.row == "sound machines with an alarm" && cell.at_most == 1.0;
         }));
