@@ -34,6 +34,8 @@ TEST_CASE("a completed run is reported; a stuck or interrupted run is not") {
     CHECK(ending_of(replay, "csp/deadlock/ring.cfs") == Ending::stuck);
     replay.interruption.request();
     CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::interrupted);
+    CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "csp/commstime/commstime.cfs", {}, replay.context),
+                         doctest::Contains("interrupted: the experiment is incomplete"), UnfinishedRun);
     CHECK(replay.warned.empty());
 }
 
