@@ -5,7 +5,6 @@
 #include "netlist/run_report.hpp"
 #include "picture/svg_pen.hpp"
 #include "report/cell.hpp"
-#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -50,10 +49,6 @@ Figures run_to_alarm(const AlarmCase& way, const ReplayContext& context, std::ui
     return figures;
 }
 
-double median_figure(const std::vector<Figures>& runs, std::size_t figure) {
-    return quantile(column(runs, figure), 0.5);
-}
-
 void add_alarm_case(Comparison& comparison, const AlarmCase& way, const std::vector<Figures>& runs, bool leaks) {
     const auto raised = static_cast<std::size_t>(std::ranges::count(column(runs, 0), 1.));
     const Cell share = share_cell("alarm raised", way.name, raised, runs.size());
@@ -62,11 +57,11 @@ void add_alarm_case(Comparison& comparison, const AlarmCase& way, const std::vec
     comparison.add(plain_cell("  from", way.name, "%", interval.low, 1));
     comparison.add(plain_cell("  to", way.name, "%", interval.high, 1));
     for (std::size_t i = 0; i < stages_shown.size(); ++i)
-        comparison.add(plain_cell(stages_shown[i].row, way.name, "ms", median_figure(runs, first_stage + i), 3));
+        comparison.add(plain_cell(stages_shown[i].row, way.name, "ms", lower_median_of(runs, first_stage + i), 3));
     if (leaks)
         comparison.add(plain_cell("last reading to alarm", way.name, "ms",
-                                  median_figure(runs, first_stage + stages_shown.size()), 3));
-    comparison.add(plain_cell("bus busy", way.name, "%", median_figure(runs, 1), 1));
+                                  lower_median_of(runs, first_stage + stages_shown.size()), 3));
+    comparison.add(plain_cell("bus busy", way.name, "%", lower_median_of(runs, 1), 1));
 }
 
 using picture::SvgPen;
@@ -102,10 +97,10 @@ std::string draw_delays(const std::vector<Figures>& idle, const std::vector<Figu
              "Figure D.1: delays from the sensors to the alarm, in ms, on the idle bus / on the busy bus");
     pen.rect({{460, 230}, 870, 150}, {{"class", "bus"}});
     pen.text({40, 298}, "label",
-             fmt::format("VMEbus, busy {:.1f} % / {:.1f} %", median_figure(idle, 1), median_figure(full, 1)));
+             fmt::format("VMEbus, busy {:.1f} % / {:.1f} %", lower_median_of(idle, 1), lower_median_of(full, 1)));
     auto label = [&](std::size_t stage) {
-        return fmt::format("{}: {:.2f} / {:.2f}", stage + 1, median_figure(idle, first_stage + stage),
-                           median_figure(full, first_stage + stage));
+        return fmt::format("{}: {:.2f} / {:.2f}", stage + 1, lower_median_of(idle, first_stage + stage),
+                           lower_median_of(full, first_stage + stage));
     };
     constexpr double sensors = 120, sun = 345, islands = 570, alarm = 795;
     draw_board(pen, sensors, "BBK-V2", "sensors, every 20 ms");

@@ -110,16 +110,16 @@ std::vector<double> changes(const std::vector<Figures>& runs, const std::vector<
     return all;
 }
 
-std::vector<double> percent_of(std::vector<double> values, double whole) {
+std::vector<double> scaled(std::vector<double> values, double factor) {
     for (double& value : values)
-        value *= 100 / whole;
+        value *= factor;
     return values;
 }
 
 void add_median(Comparison& comparison, std::string row, const std::string& column, const char* unit,
                 const std::vector<double>& values, int decimals, std::optional<double> low = {},
                 std::optional<double> high = {}) {
-    Cell cell = plain_cell(row, column, unit, quantile(values, 0.5), decimals);
+    Cell cell = plain_cell(row, column, unit, lower_median(values), decimals);
     cell.at_least = low;
     cell.at_most = high;
     comparison.add(cell);
@@ -141,12 +141,12 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
     const std::string name = loop_column(leak, closed);
     const std::vector<Figures>&runs = runs_of(leak, closed), &healthy = runs_of(sound, closed);
     comparison.add(
-        plain_cell("leak as a share of the inflow", name, "%", quantile(column(runs, LoopFigure::leak_share), 0.5), 1));
+        plain_cell("leak as a share of the inflow", name, "%", lower_median_of(runs, LoopFigure::leak_share), 1));
     add_median(comparison, "lag behind the reference grows by", name, "deg",
                changes(runs, healthy, LoopFigure::steady_deg), 3);
     // By section 2.8, the compliance grows at least by the leak's flow divided by the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
-               percent_of(changes(runs, healthy, LoopFigure::by_spool), sound_in3_per_psi), 1, 5);
+               scaled(changes(runs, healthy, LoopFigure::by_spool), 100 / sound_in3_per_psi), 1, 5);
 }
 
 /// Compares the increases of the lag and of the compliance that a leak causes, in the open loop and in the closed loop.
@@ -185,10 +185,7 @@ Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
 void add_drift(Comparison& comparison, const LoopRuns& runs, bool closed) {
     const std::string name = loop_column(runs, closed);
     auto add = [&](const char* row, std::size_t figure, double scale, const char* unit, int decimals) {
-        std::vector<double> values = column(runs_of(runs, closed), figure);
-        for (double& value : values)
-            value *= scale;
-        add_median(comparison, row, name, unit, values, decimals);
+        add_median(comparison, row, name, unit, scaled(column(runs_of(runs, closed), figure), scale), decimals);
     };
     add("lag, mean of the last second", LoopFigure::steady_deg, 1, "deg", 2);
     add("greatest position error", LoopFigure::greatest_deg, 1, "deg", 2);
@@ -236,10 +233,8 @@ Panel compliance_panel(const LoopRuns& sound, const std::vector<LoopRuns>& leaks
     for (bool closed : {true, false}) {
         Series series{closed ? "closed loop" : "open loop", {}, Stroke::points, closed ? 0 : 1};
         auto add = [&](double leak, const LoopRuns& runs) {
-            std::vector<double> found = column(runs_of(runs, closed), LoopFigure::by_spool);
-            for (double& value : found)
-                value *= 1000;
-            series.points.push_back({leak, quantile(found, 0.5)});
+            const std::vector<double> found = scaled(column(runs_of(runs, closed), LoopFigure::by_spool), 1000);
+            series.points.push_back({leak, lower_median(found)});
             series.intervals.push_back(median_interval(found));
         };
         add(0, sound);

@@ -39,13 +39,8 @@ Figures identify_drain(const DrainCase& drain, const char* noise, std::uint64_t 
     Parameters machine = Parameters::excavator();
     for (Parameter& row : noise_rows(machine, noise))
         machine.put(std::move(row));
-    auto set = [&](const char* name, double value) {
-        Parameter row = *machine.find(name);
-        row.value = value;
-        machine.put(std::move(row));
-    };
-    set("boom.outlet_compliance", drain.outlet_in3_per_psi);
-    set("fault.leak", drain.leak_in3_per_s_psi);
+    machine.set("boom.outlet_compliance", drain.outlet_in3_per_psi);
+    machine.set("fault.leak", drain.leak_in3_per_s_psi);
     RandomStream sensors(seed, "sensors");
     const Record record = record_scenario_named("excavator")->make(machine, {}, [&] { return sensors.uniform(); });
     const Question question{.spool_offset_in = {}, .side = Side::outlet};
@@ -71,11 +66,11 @@ void add_drain(Comparison& comparison, const DrainCase& drain, const std::vector
     plain("  to", "%", share.high);
     const std::vector<double> errors = column(runs, DrainFigure::off_percent);
     const Interval median = median_interval(errors);
-    plain("error, median", "% of C_o", quantile(errors, 0.5));
+    plain("error, median", "% of C_o", lower_median(errors));
     plain("  from ", "% of C_o", median.low);
     plain("  to ", "% of C_o", median.high);
     plain("least standard error that the noise allows, median", "% of C_o",
-          quantile(column(runs, DrainFigure::limit_percent), 0.5));
+          lower_median_of(runs, DrainFigure::limit_percent));
     plain("flagged", "%", 100 * mean(column(runs, DrainFigure::flagged)));
     auto silent = [&](const Figures& run) { return off(run) && run[DrainFigure::flagged] == 0; };
     Cell missed =

@@ -77,10 +77,6 @@ std::vector<double> least_errors(const BoomData& data, std::span<const CircuitSa
     return errors;
 }
 
-std::vector<CircuitSample> samples_while_rising(const BoomData& data, const BoomModel& model) {
-    return usable_samples(samples_of(data, model), boom_circuit(), data.flow, rising_way().usable);
-}
-
 std::size_t rises(const std::vector<double>& values) {
     std::size_t count = 0;
     for (std::size_t i = 1; i < values.size(); ++i)
@@ -109,7 +105,7 @@ void add_errors(Comparison& comparison, const ThesisExperiment& way, const BoomD
 
 /// Tests the thesis's claim "decreasing monotonically" without noise, for the best code in every window.
 void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const BoomData& clean) {
-    auto least = least_errors(clean, samples_while_rising(clean, model_of(clean, way.from)), rising_way());
+    auto least = least_errors(clean, usable_of(clean, model_of(clean, way.from), rising_way().usable), rising_way());
     comparison.add(plain_cell("noise-free Error, best code, window 1", way.name, "in^3/s", least.front(), 2));
     comparison.add(plain_cell("  last window", way.name, "in^3/s", least.back(), 2));
     comparison.add(judged_cell("  how often it rises", way.name, "", 0, static_cast<double>(rises(least)), 0, 0));

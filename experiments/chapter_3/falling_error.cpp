@@ -32,7 +32,7 @@ Figures course_of(const BoomData& data, const FallingSearch& search, std::uint64
     IdentificationWay way = rising_way();
     way.search.elite = search.elite;
     BoomModel model = model_of(data, search.from);
-    auto samples = usable_samples(samples_of(data, model), boom_circuit(), data.flow, way.usable);
+    auto samples = usable_of(data, model, way.usable);
     auto generations = watch_search(data, samples, way, seed);
     double rising = 0;
     for (std::size_t i = 1; i < generations.size(); ++i)

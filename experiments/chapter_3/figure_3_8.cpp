@@ -1,4 +1,5 @@
 #include "experiments/chapter_3/kit/block_diagrams.hpp"
+#include "experiments/chapter_3/kit/boom_plots.hpp"
 #include "experiments/chapter_3/kit/boom_search.hpp"
 #include "experiments/chapter_3/kit/pressure_check.hpp"
 #include "experiments/chapter_3/kit/spool_lag.hpp"
@@ -13,6 +14,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -170,20 +172,6 @@ Comparison blind_comparison(const Seeds& seeds) {
     return comparison;
 }
 
-Series simulated_series(std::string name, const PressureCheck& check) {
-    Series series{std::move(name), {}};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
-        series.points.push_back({check.time_s[i], check.simulated_psi[i]});
-    return series;
-}
-
-Series measured_series(const PressureCheck& check) {
-    Series series{"measured", {}, Stroke::points, 6};
-    for (std::size_t i = 0; i < check.time_s.size() && check.time_s[i] <= drawn_s; ++i)
-        series.points.push_back({check.time_s[i], check.measured_psi[i]});
-    return series;
-}
-
 /// Plots the measured and the simulated pressure. With `all`, also plots the pressures simulated with half and twice
 /// the compliance.
 Panel pressure_panel(std::string title, const BoomData& data, double identified_in3_per_psi, bool all) {
@@ -195,9 +183,13 @@ Panel pressure_panel(std::string title, const BoomData& data, double identified_
         if (all || curve.factor == 1) {
             double compliance = curve.factor * identified_in3_per_psi;
             auto check = check_pressure(data, model_of(data, AreasFrom::servo), compliance);
-            panel.series.push_back(simulated_series(fmt::format("C = {:.5f}", compliance), check));
-            if (curve.factor == 1)
-                panel.series.insert(panel.series.begin(), measured_series(check));
+            panel.series.push_back(
+                over_time(fmt::format("C = {:.5f}", compliance), check.time_s, check.simulated_psi, drawn_s));
+            if (curve.factor != 1)
+                continue;
+            Series measured = over_time("measured", check.time_s, check.measured_psi, drawn_s, Stroke::points);
+            measured.colour = 6;
+            panel.series.insert(panel.series.begin(), std::move(measured));
         }
     return panel;
 }

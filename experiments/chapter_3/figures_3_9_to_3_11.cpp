@@ -94,8 +94,7 @@ using StateErrors = std::array<double, InternalStates::count>;
 /// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Earlier answers have
 /// not converged: the first answer is found after five generations on five samples.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
-    ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
-    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
+    const auto [prepared, run] = search_two_links(motion, no_noise, way, seed);
     StateErrors worst{};
     for (const TransientEstimate& estimate : run.estimates) {
         if (estimate.time_s < prepared.samples.front().time_s + 0.099)
@@ -134,9 +133,8 @@ Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;
     way.gate.emplace();
-    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
-    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
-    return plot_of_estimated_states(motion, prepared, run);
+    const TwoLinkSearch found = search_two_links(motion, no_noise, way, seed);
+    return plot_of_estimated_states(motion, found.prepared, found.run);
 }
 
 Replay replay_figures_3_9_to_3_11(const ReplayContext& context) {

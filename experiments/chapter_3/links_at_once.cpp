@@ -7,7 +7,6 @@
 #include "report/cell.hpp"
 #include "runtime/random.hpp"
 #include "text/interval.hpp"
-#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -96,10 +95,6 @@ Figures identify_coupled(const CoupledMotion& moving, const LinksLevel& level, s
             cost.seconds_on_16};
 }
 
-double median_of_runs(const std::vector<Figures>& runs, std::size_t figure) {
-    return quantile(column(runs, figure), 0.5);
-}
-
 void add_coupled_links(Comparison& comparison, const CoupledMotion& moving, bool judged,
                        const std::vector<Figures>& runs) {
     auto count = [&](std::size_t figure) {
@@ -121,10 +116,10 @@ void add_coupled_links(Comparison& comparison, const CoupledMotion& moving, bool
     comparison.add(judged ? at_most(0, missed) : missed);
     comparison.add(cell("flagged", "% of seeds", share(LinksFigure::flagged), 0));
     comparison.add(
-        cell("least standard error of the worst link, median", "%", median_of_runs(runs, LinksFigure::limit), 1));
-    comparison.add(cell("generations", "", median_of_runs(runs, LinksFigure::generations), 0));
-    comparison.add(cell("on one T800", "s", median_of_runs(runs, LinksFigure::t800_s), 0));
-    comparison.add(cell("on 16 T800s", "s", median_of_runs(runs, LinksFigure::t800_16_s), 0));
+        cell("least standard error of the worst link, median", "%", lower_median_of(runs, LinksFigure::limit), 1));
+    comparison.add(cell("generations", "", lower_median_of(runs, LinksFigure::generations), 0));
+    comparison.add(cell("on one T800", "s", lower_median_of(runs, LinksFigure::t800_s), 0));
+    comparison.add(cell("on 16 T800s", "s", lower_median_of(runs, LinksFigure::t800_16_s), 0));
 }
 
 Replay replay_links_at_once(const ReplayContext& context) {

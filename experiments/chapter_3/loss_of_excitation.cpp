@@ -151,15 +151,10 @@ Comparison single_run_comparison(const TwoLinkMotion& motion, const Runs& plain,
     return comparison;
 }
 
-SearchRun search_once(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
-    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, way, seed);
-    return search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
-}
-
-Plot plot_of_loss(const TwoLinkMotion& motion, const SearchRun& plain, std::uint64_t seed) {
-    identification::ComplianceSearch prepared = measure_two_links(motion, no_noise, long_way(), seed);
-    return plot_of_compliances(prepared, plain, search_once(motion, gated(prolonged(gray_way())), seed),
-                               trials_a_sample);
+Plot plot_of_loss(const TwoLinkMotion& motion, std::uint64_t seed) {
+    const TwoLinkSearch plain = search_two_links(motion, no_noise, long_way(), seed);
+    const SearchRun with_gate = search_two_links(motion, no_noise, gated(prolonged(gray_way())), seed).run;
+    return plot_of_compliances(plain.prepared, plain.run, with_gate, trials_a_sample);
 }
 
 Replay replay_loss_of_excitation(const ReplayContext& context) {
@@ -170,7 +165,7 @@ Replay replay_loss_of_excitation(const ReplayContext& context) {
     Seeds shown(seeds.begin(), seeds.begin() + records_shown);
     return replay_of({share_comparison(motion, plain, shown), single_run_comparison(motion, plain, seeds),
                       low_noise_comparison(motion, shown)},
-                     {{"figure-3-11", plot_of_loss(motion, plain.front(), seeds.front())}});
+                     {{"figure-3-11", plot_of_loss(motion, seeds.front())}});
 }
 
 } // namespace

@@ -160,13 +160,6 @@ std::vector<PlantStudy> estimates(const ReplayContext& context, PlantExperiment 
     return studies;
 }
 
-std::vector<TrackRow> rows_of_all(const std::vector<PlantStudy>& studies) {
-    std::vector<TrackRow> rows;
-    for (const PlantStudy& study : studies)
-        rows.push_back({study.islands.name, &study});
-    return rows;
-}
-
 /// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. Without
 /// noise, the genetic algorithms therefore cannot follow a change sooner than least squares, and least squares finds
 /// the unchanged plant nearly exactly.
@@ -210,7 +203,7 @@ Replay replay_baselines(const ReplayContext& context) {
         auto searched = searches(context, scenario.plant), exact = estimates(context, scenario.plant);
         if (scenario.plant.noise == 0)
             comparisons.front() = judged_optimum(exact, searched);
-        auto rows = rows_of_all(searched), others = rows_of_all(exact);
+        auto rows = study_rows(searched), others = study_rows(exact);
         plot.panels.push_back(pole_panel("searches, " + std::string(scenario.name), rows));
         plot.panels.push_back(pole_panel("estimates, " + std::string(scenario.name), others));
         rows.insert(rows.end(), others.begin(), others.end());

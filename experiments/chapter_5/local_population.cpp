@@ -31,19 +31,6 @@ TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
     return study;
 }
 
-Comparison maximisation_table(const std::vector<TaskStudy>& studies) {
-    Comparison comparison{
-        .name = "generations until the target is reached (500: not reached), medians, and the share of runs",
-        .against = "known"};
-    for (const TaskStudy& study : studies)
-        for (std::size_t i = 0; i < study.sizes.size(); ++i) {
-            std::string row = fmt::format("{}, {}", study.task.problem, islands_of(local_populations[i]));
-            comparison.add(plain_cell(row, "generations", "", study.median(i), 1));
-            comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
-        }
-    return comparison;
-}
-
 /// Tests the claim "as small as 6 without affecting the measured convergence rate", taken to mean "islands of 6 need at
 /// most a tenth more generations than one population". Functions with a target that few runs reach are left out, since
 /// their medians have no meaning.
@@ -126,7 +113,9 @@ Replay replay_local_population(const ReplayContext& context) {
     for (const StaticTask& task : static_tasks())
         tasks.push_back(study_islands(context, task));
     std::vector<Comparison> comparisons{
-        judged_sizes(tasks), maximisation_table(tasks),
+        judged_sizes(tasks),
+        tasks_comparison("generations until the target is reached (500: not reached), medians, and the share of runs",
+                         tasks, "generations", 1, islands_of),
         claims_comparison("claims, functions that do not change", maximisation_claims(tasks))};
     Plot plot{"How small may an island be? " + median_of_seeds(context), {}};
     const Axis sizes{"individuals of an island, of 96 in all", 0, 100};

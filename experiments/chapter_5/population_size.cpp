@@ -28,19 +28,6 @@ TaskStudy study_populations(const ReplayContext& context, const StaticTask& task
     return study;
 }
 
-Comparison evaluations_table(const std::vector<TaskStudy>& studies) {
-    Comparison comparison{
-        .name = "evaluations until the target is reached (80000: not reached), medians, and the share of runs",
-        .against = "known"};
-    for (const TaskStudy& study : studies)
-        for (std::size_t i = 0; i < study.sizes.size(); ++i) {
-            std::string row = fmt::format("{}, {} individuals", study.task.problem, population_sizes[i]);
-            comparison.add(plain_cell(row, "evaluations", "", study.median(i), 0));
-            comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
-        }
-    return comparison;
-}
-
 /// Tests the claim "The global population size plays a significant role", taken to mean "400 individuals need at least
 /// a fifth more evaluations than 100". Functions with a target that few runs reach are left out, since their medians
 /// have no meaning.
@@ -56,8 +43,10 @@ std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     return claims;
 }
 
+std::string individuals(std::size_t population) { return fmt::format("{} individuals", population); }
+
 PlantIslands one_population(std::size_t population, double noise) {
-    return sized(single_ga(noise), fmt::format("{} individuals", population), {population}, {30});
+    return sized(single_ga(noise), individuals(population), {population}, {30});
 }
 
 /// Tests the claim "Good performance can be obtained from small global population size of 100". The claim is taken to
@@ -72,13 +61,6 @@ std::vector<Claim> plant_claims(const std::vector<PlantStudy>& studies) {
              {},
              0.01},
             {"lag, 25 minus 100 individuals", "generations", less(studies[0].lags(), studies[2].lags()), 10, {}}};
-}
-
-std::vector<TrackRow> rows_of(const std::vector<PlantStudy>& studies) {
-    std::vector<TrackRow> rows;
-    for (const PlantStudy& study : studies)
-        rows.push_back({study.islands.name, &study});
-    return rows;
 }
 
 /// Compares the median lags with the medians over 240 other seeds.
@@ -107,11 +89,13 @@ Replay replay_population_size(const ReplayContext& context) {
             studies.push_back(study_plant(context, one_population(population, noise)));
         if (noise == 0)
             comparisons.front() = judged_lags(studies);
-        comparisons.push_back(tracks_comparison("medians on the plant, " + noise_name(noise), rows_of(studies)));
+        comparisons.push_back(tracks_comparison("medians on the plant, " + noise_name(noise), study_rows(studies)));
         comparisons.push_back(claims_comparison("claims, identification, " + noise_name(noise), plant_claims(studies)));
-        plot.panels.push_back(pole_panel("the plant, " + noise_name(noise), rows_of(studies)));
+        plot.panels.push_back(pole_panel("the plant, " + noise_name(noise), study_rows(studies)));
     }
-    comparisons.push_back(evaluations_table(tasks));
+    comparisons.push_back(
+        tasks_comparison("evaluations until the target is reached (80000: not reached), medians, and the share of runs",
+                         tasks, "evaluations", 0, individuals));
     comparisons.push_back(claims_comparison("claims, functions that do not change", size_claims(tasks)));
     return replay_of(std::move(comparisons), {{"population-size", plot}});
 }

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace placedpar {
 
@@ -44,28 +45,13 @@ PlantSearch search_of(const CrossingGroup& group, const CrossingTried& tried) {
     return search;
 }
 
-std::vector<Comparison> compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
-    std::string name = name_of_group(group);
-    Comparison shares{.name = name, .against = "other", .judged = true},
-        gains{.name = name + ": percentage points above one-point crossover"};
-    std::vector<Tally> tallies;
-    for (const CrossingTried& tried : crossings) {
-        tallies.push_back(tally_search(context, fmt::format("{}, {}", name, tried.name), search_of(group, tried)));
-        tallies.back().name = tried.name;
-        add_tally(shares, tallies.back(),
-                  tallies.size() == 1   ? group.one_point
-                  : tallies.size() == 2 ? group.by_difference
-                                        : Expected());
-        if (tallies.size() > 1)
-            add_gain(gains, tallies.front(), tallies.back());
-    }
-    return {shares, gains};
-}
-
-double figure_of(const Comparison& shares, const std::string& row, const std::string& column) {
-    auto cell =
-        std::ranges::find_if(shares.cells, [&](const Cell& each) { return each.row == row && each.column == column; });
-    return cell->simulated;
+ConditionGroup compare_crossings(const CrossingGroup& group, const ReplayContext& context) {
+    std::vector<Condition> conditions;
+    for (const CrossingTried& tried : crossings)
+        conditions.push_back({tried.name, search_of(group, tried)});
+    conditions[0].expected = group.one_point;
+    conditions[1].expected = group.by_difference;
+    return compare_conditions(context, name_of_group(group), "one-point crossover", conditions);
 }
 
 Panel crossing_panel(const Comparison& shares) {
@@ -74,7 +60,7 @@ Panel crossing_panel(const Comparison& shares) {
                 .y = {"runs that followed [%]", 0, 105}};
     for (std::size_t i = 0; i < std::size(crossings); ++i) {
         std::string row = crossings[i].name;
-        auto figure = [&](const char* column) { return figure_of(shares, row, column); };
+        auto figure = [&](const char* column) { return figure_in(shares, row, column); };
         double x = figure("generation"), y = figure("followed");
         panel.series.push_back({.name = row,
                                 .points = {{x, y}},
@@ -89,9 +75,10 @@ Replay replay_crossover_by_difference(const ReplayContext& context) {
     std::vector<Comparison> comparisons;
     Plot plot{"Crossover operators: how soon and how often they find the plant, with 95 % intervals", {}};
     for (const CrossingGroup& group : crossing_groups) {
-        std::vector<Comparison> compared = compare_crossings(group, context);
-        plot.panels.push_back(crossing_panel(compared.front()));
-        comparisons.insert(comparisons.end(), compared.begin(), compared.end());
+        ConditionGroup compared = compare_crossings(group, context);
+        plot.panels.push_back(crossing_panel(compared.shares));
+        comparisons.push_back(std::move(compared.shares));
+        comparisons.push_back(std::move(compared.gains));
     }
     return replay_of(std::move(comparisons), {{"crossover-by-difference", plot}});
 }

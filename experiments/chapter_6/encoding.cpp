@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace placedpar {
 
@@ -28,7 +29,7 @@ struct EncodingGroup {
     const char* name;
     std::size_t field_bits, population;
     bool ranking;
-    Expected natural, gray;
+    Expected natural;
 };
 
 constexpr EncodingGroup encoding_groups[]{
@@ -36,20 +37,17 @@ constexpr EncodingGroup encoding_groups[]{
      .field_bits = 7,
      .population = 100,
      .ranking = true,
-     .natural = {},
-     .gray = {}},
+     .natural = {}},
     {.name = "37 bits, 30 individuals, universal sampling",
      .field_bits = 7,
      .population = 30,
      .ranking = false,
-     .natural = {99, 66},
-     .gray = {}},
+     .natural = {99, 66}},
     {.name = "22 bits, 24 individuals, universal sampling",
      .field_bits = 4,
      .population = 24,
      .ranking = false,
-     .natural = {90, 38},
-     .gray = {}},
+     .natural = {90, 38}},
 };
 
 PlantSearch search_of(const EncodingGroup& group, const CodingTried& tried) {
@@ -68,22 +66,15 @@ void judge_ranking(Comparison& comparison, const std::vector<Tally>& tallies) {
     }
 }
 
-void add_group(std::vector<Comparison>& comparisons, const EncodingGroup& group, const ReplayContext& context) {
-    Comparison shares{.name = group.name, .against = "other", .judged = true},
-        gains{.name = fmt::format("{}: percentage points above natural binary", group.name)};
-    std::vector<Tally> tallies;
-    for (const CodingTried& tried : codings) {
-        tallies.push_back(
-            tally_search(context, fmt::format("{}, {}", group.name, tried.name), search_of(group, tried)));
-        tallies.back().name = tried.name;
-        add_tally(shares, tallies.back(), tallies.size() == 1 ? group.natural : Expected());
-        if (tallies.size() > 1)
-            add_gain(gains, tallies.front(), tallies.back());
-    }
+ConditionGroup compare_codings(const EncodingGroup& group, const ReplayContext& context) {
+    std::vector<Condition> conditions;
+    for (const CodingTried& tried : codings)
+        conditions.push_back({tried.name, search_of(group, tried)});
+    conditions.front().expected = group.natural;
+    ConditionGroup compared = compare_conditions(context, group.name, "natural binary", conditions);
     if (group.ranking)
-        judge_ranking(shares, tallies);
-    comparisons.push_back(std::move(shares));
-    comparisons.push_back(std::move(gains));
+        judge_ranking(compared.shares, compared.tallies);
+    return compared;
 }
 
 Panel encoding_panel(const Comparison& shares) {
@@ -91,11 +82,7 @@ Panel encoding_panel(const Comparison& shares) {
                 .x = {"coding, in the order of the legend", 0, 7},
                 .y = {"runs that followed [%]", 0, 105}};
     double x = 0;
-    auto value = [&](const std::string& row, const std::string& column) {
-        return std::ranges::find_if(shares.cells,
-                                    [&](const Cell& cell) { return cell.row == row && cell.column == column; })
-            ->simulated;
-    };
+    auto value = [&](const std::string& row, const std::string& column) { return figure_in(shares, row, column); };
     for (const CodingTried& tried : codings) {
         x += 1;
         panel.series.push_back({.name = tried.name,
@@ -110,8 +97,10 @@ Replay replay_encoding(const ReplayContext& context) {
     std::vector<Comparison> comparisons;
     Plot plot{"Codings of the plant's string: runs that follow the change, with 95 % intervals", {}};
     for (const EncodingGroup& group : encoding_groups) {
-        add_group(comparisons, group, context);
-        plot.panels.push_back(encoding_panel(comparisons[comparisons.size() - 2]));
+        ConditionGroup compared = compare_codings(group, context);
+        plot.panels.push_back(encoding_panel(compared.shares));
+        comparisons.push_back(std::move(compared.shares));
+        comparisons.push_back(std::move(compared.gains));
     }
     return replay_of(std::move(comparisons), {{"encoding", plot}});
 }

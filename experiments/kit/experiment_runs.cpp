@@ -18,14 +18,18 @@ void end_if_requested(const Interruption& interruption) {
                             Ending::interrupted);
 }
 
+RunReport run_to_the_end(const Network& network, const ProblemRegistry& problems, const ReplayContext& context) {
+    RunReport report = run_netlist(network, problems, {.seed = context.seed, .interruption = &context.interruption});
+    end_if_requested(context.interruption);
+    require_end(report, network.source_path);
+    return report;
+}
+
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides& overrides,
                          const ReplayContext& context) {
     ProblemRegistry problems = known_problems(context.seed);
     Network network = load_network(netlist, overrides, problems, context.warn);
-    RunReport report = run_netlist(network, problems, {.seed = context.seed, .interruption = &context.interruption});
-    end_if_requested(context.interruption);
-    require_end(report, netlist);
-    return report;
+    return run_to_the_end(network, problems, context);
 }
 
 } // namespace placedpar

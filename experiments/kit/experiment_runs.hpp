@@ -19,6 +19,8 @@ public:
 void end_if_requested(const Interruption&);
 /// Throws UnfinishedRun unless the run completed.
 void require_end(const RunReport&, const std::filesystem::path& netlist);
+/// Runs the network to its end, with the seed of the replay. Throws UnfinishedRun.
+RunReport run_to_the_end(const Network&, const ProblemRegistry&, const ReplayContext&);
 /// Runs a netlist of the examples to its end. Throws RefusedInput and UnfinishedRun.
 RunReport run_to_the_end(const std::filesystem::path& netlist, const Overrides&, const ReplayContext&);
 

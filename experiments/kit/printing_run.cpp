@@ -43,11 +43,7 @@ PrintedRun run_with_screen(Network network, const ProblemRegistry& problems, con
     network.host.terminal = [&run] {
         return std::make_shared<iserver::ScriptedTerminal>("", [&run](std::string_view text) { run.text += text; });
     };
-    const RunReport report =
-        run_netlist(network, problems, {.seed = context.seed, .interruption = &context.interruption});
-    end_if_requested(context.interruption);
-    require_end(report, network.source_path);
-    run.fingerprint = report.result.fingerprint;
+    run.fingerprint = run_to_the_end(network, problems, context).result.fingerprint;
     return run;
 }
 

@@ -4,6 +4,7 @@
 #include "explore/study/sweep.hpp"
 #include "explore/workers.hpp"
 #include "text/number.hpp"
+#include "text/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,10 @@ std::vector<double> column(const std::vector<Figures>& runs, std::size_t index) 
     for (const Figures& figures : runs)
         values.push_back(figures[index]);
     return values;
+}
+
+double lower_median_of(const std::vector<Figures>& runs, std::size_t index) {
+    return lower_median(column(runs, index));
 }
 
 } // namespace placedpar

@@ -26,5 +26,7 @@ std::vector<Figures> run_seeds(const ReplayContext& context, const std::string& 
 
 /// Returns the figure at `index` of every run.
 std::vector<double> column(const std::vector<Figures>& runs, std::size_t index);
+/// Returns the lower_median() of the figure at `index`. REQUIRES: at least one run.
+double lower_median_of(const std::vector<Figures>& runs, std::size_t index);
 
 } // namespace placedpar

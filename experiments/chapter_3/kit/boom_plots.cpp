@@ -37,8 +37,8 @@ Panel pressure_panel(std::string title, const BoomData& data, double until_s) {
     return {std::move(title),
             time_axis(until_s),
             {"pressure [psi]", 0},
-            {over_time("pump side", data.record, of(data, Sensor::inlet_pressure), until_s),
-             over_time("drain side", data.record, of(data, Sensor::outlet_pressure), until_s)}};
+            {over_time("pump side", data.record.time_s, of(data, Sensor::inlet_pressure), until_s),
+             over_time("drain side", data.record.time_s, of(data, Sensor::outlet_pressure), until_s)}};
 }
 
 Series velocity_series(const BoomData& data, const BoomModel& model, double until_s) {
@@ -51,7 +51,7 @@ Series velocity_series(const BoomData& data, const BoomModel& model, double unti
 }
 
 Panel angle_panel(std::string title, const BoomData& data, double until_s) {
-    Series angle = over_time("", data.record, of(data, Sensor::angle), until_s);
+    Series angle = over_time("", data.record.time_s, of(data, Sensor::angle), until_s);
     double start = angle.points.front().y;
     for (Point& point : angle.points)
         point.y -= start;
@@ -107,20 +107,20 @@ Panel error_panel(const WatchedIdentification& watched, double until_s) {
 
 } // namespace
 
-Series over_time(std::string name, const Record& record, std::span<const double> values, double until_s,
+Series over_time(std::string name, std::span<const double> time_s, std::span<const double> values, double until_s,
                  Stroke stroke) {
     Series series{std::move(name), {}, stroke};
-    for (std::size_t i = 0; i < values.size() && record.time_s[i] <= until_s; ++i)
-        series.points.push_back({record.time_s[i], values[i]});
+    for (std::size_t i = 0; i < values.size() && time_s[i] <= until_s; ++i)
+        series.points.push_back({time_s[i], values[i]});
     return series;
 }
 
 Plot plot_of_record(std::string title, const BoomData& data, double until_s) {
-    auto volts = held(over_time("asked for", data.record, of(data, Sensor::servo), until_s));
-    auto spool = over_time("measured", data.record, of(data, Sensor::spool), until_s);
-    auto lagged = over_time("A.1 and A.2", data.record, spool_of(data, model_of(data, AreasFrom::servo)), until_s,
-                            Stroke::dashes);
-    auto angle = over_time("measured", data.record, of(data, Sensor::angle), until_s);
+    auto volts = held(over_time("asked for", data.record.time_s, of(data, Sensor::servo), until_s));
+    auto spool = over_time("measured", data.record.time_s, of(data, Sensor::spool), until_s);
+    auto lagged = over_time("A.1 and A.2", data.record.time_s, spool_of(data, model_of(data, AreasFrom::servo)),
+                            until_s, Stroke::dashes);
+    auto angle = over_time("measured", data.record.time_s, of(data, Sensor::angle), until_s);
     return {std::move(title),
             {pressure_panel("a: line pressures", data, until_s),
              panel_over_time("b: servo-valve's voltage", {"voltage [V]", 0, 0.4}, until_s, {volts}),

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Returns a curve of the values over the record's time, up to `until_s`.
-Series over_time(std::string name, const hydraulics::Record& record, std::span<const double> values, double until_s,
+/// Returns a curve of the values over the times, up to `until_s`. REQUIRES: a time for each value.
+Series over_time(std::string name, std::span<const double> time_s, std::span<const double> values, double until_s,
                  Stroke stroke = Stroke::line);
 
 /// Draws Figure 3.3: pressures, voltage, spool and angle as recorded.

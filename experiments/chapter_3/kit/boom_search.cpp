@@ -19,10 +19,6 @@ namespace {
 constexpr std::array fit_start_in3_per_psi{0.0086};
 constexpr std::size_t fewest_to_fit = 5;
 
-std::vector<CircuitSample> usable_of(const BoomData& data, const BoomModel& model, const UsableSamples& rule) {
-    return usable_samples(samples_of(data, model), boom_circuit(), data.flow, rule);
-}
-
 std::optional<double> fit(std::span<const CircuitSample> samples, const FlowConstants& flow) {
     if (samples.size() < fewest_to_fit)
         return std::nullopt;
@@ -40,6 +36,10 @@ double mean_error(const SearchProblem& problem, std::span<const Genome> populati
 }
 
 } // namespace
+
+std::vector<CircuitSample> usable_of(const BoomData& data, const BoomModel& model, const UsableSamples& rule) {
+    return usable_samples(samples_of(data, model), boom_circuit(), data.flow, rule);
+}
 
 std::optional<double> least_squares_compliance(const BoomData& data, const BoomModel& model,
                                                const UsableSamples& rule) {

@@ -19,6 +19,9 @@ struct BoomIdentified {
     bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
 };
 
+/// Returns the samples that the rule calls usable.
+std::vector<hydraulics::CircuitSample> usable_of(const BoomData&, const BoomModel&, const hydraulics::UsableSamples&);
+
 /// Identifies the boom's compliance from the record. Throws what identify() throws.
 BoomIdentified identify_boom(const BoomData&, const BoomModel&, const identification::IdentificationWay&,
                              std::uint64_t seed);

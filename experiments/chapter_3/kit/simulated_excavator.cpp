@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,15 @@ constexpr Scatter machine_scatter[]{
 constexpr Scatter movement_scatter[]{{"boom.gravity", 0.05}, {"bucket.gravity", 0.05}};
 
 bool moves_two(const RecordSource& source) { return record_scenario_named(source.scenario)->any_links; }
+
+/// Throws std::invalid_argument if the scenario records no such readings of a valve.
+void require_readings(const RecordSource& source, AreasFrom from) {
+    const char* name = from == AreasFrom::areas ? "areas" : from == AreasFrom::spool ? "spool" : "voltage";
+    const bool there = from == AreasFrom::areas ? moves_two(source)
+                                                : !moves_two(source) && (from == AreasFrom::spool || source.has_servo);
+    if (!there)
+        throw std::invalid_argument(fmt::format("{} does not record the {} of a valve", source.scenario, name));
+}
 
 double uniform(RandomStream& random, double low, double high) { return low + (high - low) * random.uniform(); }
 
@@ -75,7 +85,9 @@ void shorten_steps(Parameters& parameters, double period_s) {
 } // namespace
 
 SimulatedExcavator::SimulatedExcavator(const RecordSource& source, AreasFrom from, std::uint64_t seed)
-    : source_(source), from_(from), seed_(seed), parameters_(parameters_of(source, seed)) {}
+    : source_(source), from_(from), seed_(seed), parameters_(parameters_of(source, seed)) {
+    require_readings(source, from);
+}
 
 LinkSet SimulatedExcavator::links() const {
     return moves_two(source_) ? LinkSet{Link::bucket, Link::boom} : LinkSet{Link::boom};

@@ -17,7 +17,8 @@ namespace placedpar {
 class SimulatedExcavator {
 public:
     /// `from` says which readings of the valves the samples contain: spool, voltage or areas. The voltage is available
-    /// only if the source has a servo-valve.
+    /// only if the source has a servo-valve. The scenario for two links has only areas, and the others have none.
+    /// Throws std::invalid_argument if the readings are not available.
     SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
     /// Returns the links that move. The configuration is always a.

@@ -1,6 +1,8 @@
 #include "experiments/chapter_3/kit/two_link_plots.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 namespace placedpar {
 
@@ -12,10 +14,9 @@ namespace {
 constexpr std::size_t states_a_point = 10; // a plotted point for every ten simulated states, which are 1 ms apart
 constexpr double transient_shown_s = 2;    // after this time the motion is steady
 
-using StateValue = double (*)(const ExcavatorState&);
-
-Series over_time(const TwoLinkMotion& motion, const char* name, StateValue value) {
-    Series series{name, {}};
+template <class StateValue>
+Series over_time(const TwoLinkMotion& motion, std::string name, StateValue value) {
+    Series series{std::move(name), {}};
     for (std::size_t i = 0; i < motion.motion.states.size() && motion.motion.states[i].time_s <= transient_shown_s;
          i += states_a_point)
         series.points.push_back({motion.motion.states[i].time_s, value(motion.motion.states[i])});
@@ -29,10 +30,9 @@ Panel over_time(const char* title, const char* axis, std::vector<Series> series)
 constexpr std::array<const char*, InternalStates::count> state_names{"P_11", "P_12", "Q_11", "Q_12", "Q_BUi", "Q_BOi"};
 
 Series simulated_state(const TwoLinkMotion& motion, std::size_t which, int colour) {
-    Series series{std::string(state_names[which]) + " simulated", {}, Stroke::line, colour};
-    const auto& states = motion.motion.states;
-    for (std::size_t i = 0; i < states.size() && states[i].time_s <= transient_shown_s; i += states_a_point)
-        series.points.push_back({states[i].time_s, true_states(states[i]).values()[which]});
+    Series series = over_time(motion, std::string(state_names[which]) + " simulated",
+                              [which](const ExcavatorState& state) { return true_states(state).values()[which]; });
+    series.colour = colour;
     return series;
 }
 
@@ -87,7 +87,7 @@ Panel panel_of_excitation(const ComplianceSearch& prepared, const SearchRun& run
 } // namespace
 
 Plot plot_of_states(const TwoLinkMotion& motion) {
-    auto series = [&](const char* name, StateValue value) { return over_time(motion, name, value); };
+    auto series = [&](const char* name, auto value) { return over_time(motion, name, value); };
     auto pressures = over_time("Pressures", "pressure [psi]",
                                {series("P_11", [](const ExcavatorState& s) { return s.links[0].flow.psi; }),
                                 series("P_12", [](const ExcavatorState& s) { return s.links[1].flow.psi; }),

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace placedpar {
 
@@ -50,13 +51,18 @@ IdentificationWay gray_way() {
     return way;
 }
 
+TwoLinkSearch search_two_links(const TwoLinkMotion& motion, const MeasurementNoise& noise, const IdentificationWay& way,
+                               std::uint64_t seed) {
+    ComplianceSearch prepared = measure_two_links(motion, noise, way, seed);
+    SearchRun run = search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master"));
+    return {std::move(prepared), std::move(run)};
+}
+
 std::vector<SearchRun> search_many(const TwoLinkMotion& motion, const MeasurementNoise& noise,
                                    const IdentificationWay& way, std::span<const std::uint64_t> seeds) {
     std::vector<SearchRun> runs;
-    for (std::uint64_t seed : seeds) {
-        ComplianceSearch prepared = measure_two_links(motion, noise, way, seed);
-        runs.push_back(search_transient(prepared.problem, prepared.samples, way, RandomStream(seed, "master")));
-    }
+    for (std::uint64_t seed : seeds)
+        runs.push_back(search_two_links(motion, noise, way, seed).run);
     return runs;
 }
 

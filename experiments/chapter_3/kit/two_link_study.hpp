@@ -43,7 +43,15 @@ identification::IdentificationWay gray_way();
 /// 200 records, a share p has the standard deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
 inline constexpr std::size_t search_records = 200;
 
-/// Runs a search for each seed. The seed determines the noise of the record and the random numbers of the search.
+/// A record of bucket and boom, prepared for a search, and the search.
+struct TwoLinkSearch {
+    identification::ComplianceSearch prepared;
+    identification::SearchRun run;
+};
+/// Measures and searches one record. The seed determines the noise of the record and the random numbers of the search.
+TwoLinkSearch search_two_links(const TwoLinkMotion& motion, const hydraulics::MeasurementNoise& noise,
+                               const identification::IdentificationWay& way, std::uint64_t seed);
+/// Runs search_two_links() with each seed.
 std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way,

@@ -133,6 +133,18 @@ ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTas
     return {.name = {}, .runs = std::move(runs), .colour = 0};
 }
 
+Comparison tasks_comparison(std::string name, const std::vector<TaskStudy>& studies, const char* column, int decimals,
+                            const std::function<std::string(std::size_t)>& name_of_size) {
+    Comparison comparison{.name = std::move(name), .against = "known"};
+    for (const TaskStudy& study : studies)
+        for (std::size_t i = 0; i < study.sizes.size(); ++i) {
+            std::string row = fmt::format("{}, {}", study.task.problem, name_of_size(study.sizes[i]));
+            comparison.add(plain_cell(row, column, "", study.median(i), decimals));
+            comparison.add(plain_cell(row, "reached [%]", "", study.reached_percent(i), 0));
+        }
+    return comparison;
+}
+
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies) {
     Panel panel{.title = std::move(title), .x = std::move(x), .y = std::move(y)};
     return panel_by_size(std::move(panel), studies,

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,10 @@ std::vector<double> study_task(const ReplayContext& context, const StaticTask& t
 ConvergenceCurve study_convergence(const ReplayContext& context, const StaticTask& task, std::size_t islands,
                                    std::size_t population, std::size_t generations);
 
+/// Returns a table with a row for each task and size: the median of `taken` in the column `column`, and the percentage
+/// of runs that reach the target. `name_of_size` names a size in a row.
+Comparison tasks_comparison(std::string name, const std::vector<TaskStudy>& studies, const char* column, int decimals,
+                            const std::function<std::string(std::size_t)>& name_of_size);
 /// Plots the median of `taken` with its 95 % interval against the size. Leaves out sizes at which at most 90 % of the
 /// runs reach the target.
 Panel taken_panel(std::string title, Axis x, Axis y, const std::vector<TaskStudy>& studies);

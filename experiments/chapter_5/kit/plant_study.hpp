@@ -61,6 +61,8 @@ struct TrackRow {
 };
 /// Returns a row for the answers of a choice; its name is the name of the choice.
 TrackRow answer_row(const PlantStudy& study, const std::string& choice);
+/// Returns a row for the first track of each study; its name is the name of the study's islands.
+std::vector<TrackRow> study_rows(const std::vector<PlantStudy>& studies);
 /// Returns a table of the medians of each row's figures over the seeds. The table is not judged.
 Comparison tracks_comparison(std::string name, const std::vector<TrackRow>& rows);
 

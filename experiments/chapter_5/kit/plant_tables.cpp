@@ -117,6 +117,13 @@ TrackRow answer_row(const PlantStudy& study, const std::string& choice) {
     return {choice, &study, study.answer(choice)};
 }
 
+std::vector<TrackRow> study_rows(const std::vector<PlantStudy>& studies) {
+    std::vector<TrackRow> rows;
+    for (const PlantStudy& study : studies)
+        rows.push_back({study.islands.name, &study});
+    return rows;
+}
+
 Comparison tracks_comparison(std::string name, const std::vector<TrackRow>& rows) {
     Comparison comparison{.name = std::move(name), .against = "known"};
     for (const TrackRow& row : rows) {

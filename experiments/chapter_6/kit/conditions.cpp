@@ -3,6 +3,9 @@
 #include "experiments/kit/bootstrap.hpp"
 #include "text/statistics.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 namespace placedpar {
@@ -65,6 +68,27 @@ void add_gain(Comparison& comparison, const Tally& control, const Tally& tally) 
     };
     add("converged", control.converged, tally.converged);
     add("followed", control.followed, tally.followed);
+}
+
+ConditionGroup compare_conditions(const ReplayContext& context, const std::string& name, const std::string& control,
+                                  const std::vector<Condition>& conditions) {
+    ConditionGroup group{{.name = name, .against = "other", .judged = true},
+                         {.name = fmt::format("{}: percentage points above {}", name, control)},
+                         {}};
+    for (const Condition& each : conditions) {
+        Tally tally = tally_search(context, fmt::format("{}, {}", name, each.name), each.search);
+        tally.name = each.name;
+        add_tally(group.shares, tally, each.expected);
+        if (!group.tallies.empty())
+            add_gain(group.gains, group.tallies.front(), tally);
+        group.tallies.push_back(std::move(tally));
+    }
+    return group;
+}
+
+double figure_in(const Comparison& table, const std::string& row, const std::string& column) {
+    return std::ranges::find_if(table.cells, [&](const Cell& cell) { return cell.row == row && cell.column == column; })
+        ->simulated;
 }
 
 } // namespace placedpar

@@ -40,4 +40,24 @@ void add_tally(Comparison&, const Tally&, const Expected& = {});
 /// the share of converged runs, the second in the share of runs that followed the pole.
 void add_gain(Comparison&, const Tally& control, const Tally&);
 
+struct Condition {
+    std::string name;
+    PlantSearch search;
+    Expected expected = {};
+};
+
+/// A group of conditions. `shares` has the rows of add_tally(), and `gains` the rows of add_gain() over the first
+/// condition.
+struct ConditionGroup {
+    Comparison shares, gains;
+    std::vector<Tally> tallies;
+};
+/// Runs the conditions. `control` is the name of the first condition in the title of `gains`. `name` must be unique
+/// within the experiment. REQUIRES: at least one condition.
+ConditionGroup compare_conditions(const ReplayContext&, const std::string& name, const std::string& control,
+                                  const std::vector<Condition>&);
+
+/// Returns the figure in a row and a column. REQUIRES: the table has this cell.
+double figure_in(const Comparison& table, const std::string& row, const std::string& column);
+
 } // namespace placedpar

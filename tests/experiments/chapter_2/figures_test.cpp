@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace placedpar;
@@ -83,6 +84,35 @@ TEST_CASE("the stiffness of oil with air is that of separate volumes of both") {
         CHECK(row[0].simulated == doctest::Approx(220'000 / isothermal_modulus_psi(percent / 100, 100)).epsilon(1e-9));
         for (std::size_t i = 1; i < 4; ++i)
             CHECK(row[i].simulated < row[i - 1].simulated); // the effect of air shrinks with pressure
+    }
+}
+
+TEST_CASE("at the pressures where C is twice or ten times that of oil, the mixture is a half or a tenth as stiff") {
+    const Replay replay = test::replay_named("figure-2-3");
+    for (const auto& [row, share] : {std::pair{"pressure where C is twice oil's C", 0.5},
+                                     std::pair{"pressure where C is 10 times oil's C", 0.1}}) {
+        const auto pressures = test::row_named(replay.comparisons.at(0), row);
+        REQUIRE(pressures.size() == 4);
+        for (std::size_t i = 0; i < 4; ++i)
+            CHECK(isothermal_modulus_psi(std::vector{0.01, 0.02, 0.05, 0.1}[i], pressures[i].simulated) ==
+                  doctest::Approx(share * 220'000).epsilon(1e-6));
+    }
+    const Cell oil = test::row_named(replay.comparisons[0], "oil that alone has C = 0.0086").at(0);
+    CHECK(oil.simulated == doctest::Approx(0.0086 * 220'000)); // V = C beta
+}
+
+TEST_CASE("the curves of Figure 2.3 rise to the modulus of oil, and that of pure oil is flat") {
+    const Replay replay = test::replay_named("figure-2-3");
+    const Panel& modulus = replay.plots.at(0).plot.panels.at(0);
+    CHECK(modulus.series.at(0).name == "no air");
+    for (const Point& point : modulus.series[0].points)
+        CHECK(point.y == doctest::Approx(220));
+    for (std::size_t i = 1; i < modulus.series.size(); ++i) {
+        const std::vector<Point>&curve = modulus.series[i].points, &stiffer = modulus.series[i - 1].points;
+        for (std::size_t j = 0; j < curve.size(); ++j) {
+            CHECK(curve[j].y <= stiffer[j].y); // more air, less stiff
+            CHECK((j == 0 || curve[j].y > curve[j - 1].y));
+        }
     }
 }
 

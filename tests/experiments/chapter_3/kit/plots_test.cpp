@@ -25,11 +25,9 @@ std::size_t count_of_text(const std::string& svg, const std::string& part) {
 } // namespace
 
 TEST_CASE("a series over time ends at the given time or with its values") {
-    Record record;
-    record.time_s = {0, 0.02, 0.04, 0.06};
-    const std::vector<double> values{5, 6, 7};
-    CHECK(over_time("", record, values, 1).points.size() == 3);
-    const Series early = over_time("name", record, values, 0.02, Stroke::dashes);
+    const std::vector<double> time_s{0, 0.02, 0.04, 0.06}, values{5, 6, 7};
+    CHECK(over_time("", time_s, values, 1).points.size() == 3);
+    const Series early = over_time("name", time_s, values, 0.02, Stroke::dashes);
     REQUIRE(early.points.size() == 2);
     CHECK(early.points[1].x == 0.02);
     CHECK(early.points[1].y == 6);
