@@ -41,7 +41,7 @@ void report(const std::vector<Diagnostic>& faults, const File& file, const Warni
 std::shared_ptr<const SourceFile> load_text(const std::filesystem::path& path) {
     LoadedSource loaded = load_input(path);
     if (has_errors(loaded.problems))
-        throw RefusedInput(render_faults(loaded.problems, loaded.file, Severity::error));
+        throw RefusedInput(render(loaded.problems));
     return loaded.file;
 }
 

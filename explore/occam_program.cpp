@@ -4,7 +4,6 @@
 #include "occam/code/place_table.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "occam/network/vals.hpp"
-#include "text/load_source.hpp"
 #include "text/number.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -44,13 +43,6 @@ OccamCheck without_errors(OccamCheck program) {
     if (program.failed)
         throw RefusedInput(render(program.diagnostics) + program.not_shown);
     return program;
-}
-
-std::shared_ptr<const SourceFile> loaded(const std::filesystem::path& path) {
-    const LoadedSource source = load_input(path);
-    if (has_errors(source.problems))
-        throw RefusedInput(render(source.problems));
-    return source.file;
 }
 
 /// Returns whether a main procedure has the channels keyboard, screen and error of a terminal, instead of channels to a
@@ -129,7 +121,7 @@ namespace {
 /// Reads and checks a program. If its main procedure uses a terminal, adds a procedure that calls the main procedure.
 OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
                            const OccamOptions& typed, const WarningSink& warn, const occam::ChangeDeclaration& change) {
-    const std::shared_ptr<const SourceFile> file = loaded(path);
+    const std::shared_ptr<const SourceFile> file = load_text(path);
     OccamCheck program = without_errors(check_occam_source(file, folders, wanted_checks(typed)));
     if (!program.diagnostics.empty())
         warn(render(program.diagnostics) + program.not_shown);

@@ -12,7 +12,7 @@ void run_at_once(std::size_t pieces, const std::function<void(std::size_t, Inter
     std::atomic<std::size_t> next{0}, ended{0};
     auto run = [&](std::size_t worker) {
         Interruption& own = interruptions[worker];
-        for (std::size_t piece; !own.requested() && (piece = next++) < pieces; ++ended)
+        for (std::size_t piece; !interruption.requested() && (piece = next++) < pieces; ++ended)
             work(piece, own);
     };
     on_workers(interruptions.size(), run, [&] {

@@ -53,13 +53,6 @@ private:
 
 Box box_at(Point at) { return {at, box_width, box_height}; }
 
-Box extent(const std::vector<Point>& points) {
-    std::vector<Box> boxes;
-    for (Point each : points)
-        boxes.push_back({each, 0, 0});
-    return around(boxes);
-}
-
 /// A group of blocks that wires connect with each other.
 class Group {
 public:
@@ -86,10 +79,10 @@ public:
 
     /// Moves the group so that its upper left corner is at `corner`, and returns its new extent.
     Box move_to(Point corner) {
-        Box now = extent(points());
+        Box now = around(points());
         for (auto node : nodes_)
             places_[node] = places_[node] + corner - Point{now.left(), now.top()};
-        return extent(points());
+        return around(points());
     }
 
 private:
@@ -121,7 +114,7 @@ private:
                 best = {&shape, {}, 0};
             return;
         }
-        Box there = extent(points()), here = extent(shape);
+        Box there = around(points()), here = around(shape);
         for (double y = std::floor(there.top() - here.bottom()) - 1; y <= there.bottom() - here.top() + 1; y += 0.5)
             for (double x = std::floor(there.left() - here.right()) - 1; x <= there.right() - here.left() + 1; x += 0.5)
                 consider_at(block, shape, {x, y}, best);

@@ -3,8 +3,7 @@
 #include "netlist/kinds/device_kind.hpp"
 #include "netlist/network/names.hpp"
 #include "netlist/print/text.hpp"
-
-#include <fmt/format.h>
+#include "text/counted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,19 +23,18 @@ double to_raster(double length) { return std::round(length / pitch) * pitch; }
 /// Leaves out the folder from the name of a kind that a file defines.
 std::string without_folder(const std::string& kind) { return kind.substr(kind.find_last_of('/') + 1); }
 
-/// Shortens a long text so that it ends in "..".
+/// Shortens a long text so that it ends in "..". Cuts between characters of UTF-8.
 std::string shortened(const std::string& text) {
-    return text.size() <= longest_text ? text : text.substr(0, longest_text - 2) + "..";
+    if (text.size() <= longest_text)
+        return text;
+    std::size_t end = longest_text - 2;
+    while (end > 0 && (text[end] & 0xC0) == 0x80) // a byte in the middle of a character
+        --end;
+    return text.substr(0, end) + "..";
 }
 
 std::string facts_of(const Node& node) {
-    if (node.kind->links == LinkRole::edge)
-        return "";
-    std::string text = node.type;
-    for (const auto& attribute : node.kind->attributes)
-        if (auto fact = attribute.drawn ? attribute.drawn(node.attributes.at(attribute.value.name)) : ""; !fact.empty())
-            text += ", " + fact;
-    return text;
+    return node.kind->links == LinkRole::edge ? "" : node.type + print_drawn_facts(node);
 }
 
 /// The size of a node's box, in pixels. The box has room for its texts and its wires.
@@ -71,7 +69,7 @@ private:
         for (std::size_t i = 0; i < n_.processes.size(); ++i)
             add_process(i);
         for (auto [node, count] : channels_inside())
-            nodes_[node].inside = fmt::format("{} {} inside", count, count == 1 ? "channel" : "channels");
+            nodes_[node].inside = counted(count, "channel") + " inside";
         for (std::size_t i = 0; i < nodes_.size(); ++i)
             if (n_.nodes[i].runs_own_code && !n_.nodes[i].image)
                 nodes_[i].inside = shortened(print_boot(n_.nodes[i]));

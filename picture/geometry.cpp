@@ -64,4 +64,11 @@ Box around(const std::vector<Box>& boxes) {
     return {{(left + right) / 2, (top + bottom) / 2}, right - left, bottom - top};
 }
 
+Box around(const std::vector<Point>& points) {
+    std::vector<Box> boxes;
+    for (const Point each : points)
+        boxes.push_back({each, 0, 0});
+    return around(boxes);
+}
+
 } // namespace placedpar::picture

@@ -37,5 +37,7 @@ bool crosses(const Box&, Point a, Point b);
 Point way_out(const Box&, Point inside, Point outside);
 /// Returns the smallest box that contains all boxes. REQUIRES: there is at least one box.
 Box around(const std::vector<Box>&);
+/// Returns the smallest box that contains all points. REQUIRES: there is at least one point.
+Box around(const std::vector<Point>&);
 
 } // namespace placedpar::picture

@@ -31,7 +31,7 @@ void LabelRoom::take(const Box& box) {
 
 void LabelRoom::add_wire(std::size_t wire, const Path& path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-        Box extent = around({{path[i], 0, 0}, {path[i + 1], 0, 0}});
+        Box extent = around({path[i], path[i + 1]});
         each_tile(extent, [&](Tile tile) { lines_[tile].push_back({wire, path[i], path[i + 1]}); });
     }
 }

@@ -31,13 +31,6 @@ struct LargeLayout {
     std::vector<std::optional<double>> radii{{}}; ///< radius of each block that is a ring, in cells
 };
 
-Box large_extent(const std::vector<Point>& points) {
-    std::vector<Box> boxes;
-    for (Point each : points)
-        boxes.push_back({each, 0, 0});
-    return around(boxes);
-}
-
 /// Returns whether rows are at least a cell apart, so that wires fit between them.
 bool is_in_rows(const Shape& shape) {
     std::set<double> rows;
@@ -70,7 +63,7 @@ private:
         std::size_t count = block.nodes.size();
         bool round = count > 2 && is_circle(block.shapes.front());
         const Shape shape = round || is_in_rows(block.shapes.front()) ? block.shapes.front() : rectangle(count);
-        Box extent = large_extent(shape);
+        Box extent = around(shape);
         for (std::size_t i = 0; i < count; ++i) {
             layout_.places[block.nodes[i]] = shape[i] + corner - Point{extent.left(), extent.top()};
             layout_.block_of[block.nodes[i]] = layout_.radii.size();

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar {
 
@@ -26,8 +27,17 @@ enum class XAxes { numbers, dates };
 
 constexpr int legend_sample = 70, legend_letter = 9; // for the widest font that a viewer may use
 
+/// Replaces what XML forbids in a text although gnuplot writes it: "]]>", and the codes U+FFFE and U+FFFF.
+std::string fit_for_xml(std::string text) {
+    for (const auto& [forbidden, instead] : {std::pair("]]>", "]] >"), {"\xEF\xBF\xBE", "?"}, {"\xEF\xBF\xBF", "?"}})
+        for (std::size_t at = 0; (at = text.find(forbidden)) != text.npos;)
+            text.replace(at, 3, instead);
+    return text;
+}
+
 /// Returns a gnuplot string in single quotes. Only the quote itself is special in such a string.
 std::string quoted(std::string text) {
+    text = fit_for_xml(std::move(text));
     std::ranges::replace(text, '\n', ' ');
     std::string out = "'";
     for (char character : escaped(text))

@@ -82,9 +82,9 @@ void Raster::add(const Path& path) {
 namespace {
 
 Box around_ports(const std::vector<Port>& ports) {
-    std::vector<Box> points;
+    std::vector<Point> points;
     for (const Port& port : ports)
-        points.push_back({port.at, 0, 0});
+        points.push_back(port.at);
     return around(points);
 }
 

@@ -19,10 +19,11 @@ namespace {
 /// Returns the declaration of a variable or channel of this type, for use as an argument. An array of unknown size is
 /// declared with one element.
 std::string declaration_of(const occam::Type& type, const std::string& name) {
-    std::string text = occam::name_of(type), dimensions;
-    for (; text.starts_with("[]"); text.erase(0, 2))
-        dimensions += "[1]";
-    return fmt::format("  {}{} {}:\n", dimensions, text, name);
+    std::string text = occam::name_of(type);
+    for (std::size_t at = 0; text[at] == '['; at = text.find(']', at) + 1)
+        if (text[at + 1] == ']')
+            text.insert(at + 1, "1");
+    return fmt::format("  {} {}:\n", text, name);
 }
 
 /// Returns a program that calls all procedures of a file, so that the compiler makes code for each procedure.

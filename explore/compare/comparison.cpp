@@ -96,6 +96,8 @@ private:
     };
 
     void run_both() {
+        for (RunReport* each : {&result_.report_a, &result_.report_b})
+            each->result.ending = Ending::interrupted; // if the interruption comes before the run
         run_at_once(
             2,
             [&](std::size_t i, Interruption& interruption) {

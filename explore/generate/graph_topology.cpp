@@ -26,8 +26,6 @@ std::string ending_of(const std::string& path) { return lower_case(std::filesyst
 
 std::shared_ptr<const SourceFile> load_graph_text(const std::string& path) {
     LoadedSource loaded = load_input(path);
-    for (Diagnostic& each : loaded.problems)
-        each.location.file = loaded.file;
     if (has_errors(loaded.problems))
         throw RefusedText(loaded.problems);
     return loaded.file;

@@ -1,9 +1,9 @@
 #include "explore/identify/question.hpp"
 
+#include "explore/load.hpp"
 #include "identification/compliance_search.hpp"
 #include "identification/offset_calibration.hpp"
 #include "identification/on_line/population_sets.hpp"
-#include "text/load_source.hpp"
 #include "text/number.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
@@ -26,16 +26,14 @@ namespace {
 /// Returns the names in a file with lines such as "boom.inlet_pressure = P_boom_in". Lines that start with '#' are
 /// comments.
 std::vector<ColumnName> names_in_file(const std::string& path) {
-    const LoadedSource source = load_input(path);
+    const std::shared_ptr<const SourceFile> file = load_text(path);
     auto refuse = [&](std::size_t line, const std::string& why) {
         throw RefusedInput(fmt::format("{}:{}: error: {}\n", shown_input(path), line, why));
     };
-    if (has_errors(source.problems))
-        throw RefusedInput(render(source.problems));
     std::vector<ColumnName> names;
-    const std::string& text = source.file->text();
+    const std::string& text = file->text();
     for (std::size_t number = 1, at = 0; at < text.size(); ++number) {
-        std::string_view line = source.file->line(number);
+        std::string_view line = file->line(number);
         at = std::min(text.find('\n', at), text.size() - 1) + 1;
         if (line.find_first_not_of(" \t\r") == line.npos || line.starts_with('#'))
             continue;

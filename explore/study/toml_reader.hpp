@@ -166,9 +166,11 @@ protected:
     std::map<std::string, double> numbers(const toml::node& node, const char* example) {
         std::map<std::string, double> all;
         const toml::table* table = node.as_table();
-        if (!table)
+        if (!table) {
             report(node.source().begin, "expected a table of numbers", example);
-        for (const auto& [key, value] : table ? *table : toml::table())
+            return all;
+        }
+        for (const auto& [key, value] : *table) // a copy of the table would have no positions
             if (const auto number = value.value<double>(); number && *number >= 0 && *number <= 1e12)
                 all[std::string(key.str())] = *number;
             else

@@ -15,15 +15,6 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the facts that follow the type in the drawing: ", 2 MB, 20 MHz".
-std::string facts(const Node& node) {
-    std::string text;
-    for (const auto& attribute : node.kind->attributes)
-        if (auto fact = attribute.drawn ? attribute.drawn(node.attributes.at(attribute.value.name)) : ""; !fact.empty())
-            text += ", " + fact;
-    return text;
-}
-
 class DotPrinter {
 public:
     explicit DotPrinter(Network network) : n_(std::move(network)), processes_of_(n_.nodes.size()) {
@@ -96,7 +87,7 @@ private:
         text_ += fmt::format(
             "  n{} [label=<<table border=\"0\" cellborder=\"1\" cellspacing=\"0\" cellpadding=\"5\" "
             "color=\"{}\"><tr><td bgcolor=\"{}\"><b>{}</b><br/><font point-size=\"10\">{}{}</font></td></tr>",
-            index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), facts(node));
+            index, drawing.frame, drawing.heading, as_markup(node.name), as_markup(node.type), print_drawn_facts(node));
         for (auto process : processes_of_[index])
             print_process(n_.processes[process]);
         if (node.runs_own_code && !node.image)

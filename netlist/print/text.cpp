@@ -121,6 +121,14 @@ bool is_used_by_code(const Network& network, const LinkConnection& wire) {
     return network.nodes[wire.a.node].runs_own_code || network.nodes[wire.b.node].runs_own_code;
 }
 
+std::string print_drawn_facts(const Node& node) {
+    std::string text;
+    for (const auto& attribute : node.kind->attributes)
+        if (auto fact = attribute.drawn ? attribute.drawn(node.attributes.at(attribute.value.name)) : ""; !fact.empty())
+            text += ", " + fact;
+    return text;
+}
+
 std::string print_boot(const Node& node) {
     if (node.boot_file.empty())
         return "boots over its links";

@@ -38,6 +38,9 @@ std::string print_list(const std::vector<std::string>& entries);
 /// Returns whether a wire leads to a transputer that executes its own code.
 bool is_used_by_code(const Network& network, const LinkConnection& wire);
 
+/// Returns the attributes that drawings show after the node's type: ", 2 MB, 20 MHz".
+std::string print_drawn_facts(const Node& node);
+
 /// Returns a text about how a transputer receives its own code: "boots hello.btl" or "boots over its links".
 std::string print_boot(const Node& node);
 

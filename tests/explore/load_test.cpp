@@ -5,43 +5,28 @@
 #include "gaprocs/problem_registry.hpp"
 #include "hydraulics/data/parameters.hpp"
 #include "hydraulics/data/record_table.hpp"
+#include "tests/scratch.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 using namespace placedpar;
 
 namespace {
 
-/// A file with this text, deleted at the end.
-class WrittenFile {
-public:
-    explicit WrittenFile(const std::string& text) { std::ofstream(path_) << text; }
-    ~WrittenFile() { std::filesystem::remove(path_); }
-    WrittenFile(const WrittenFile&) = delete;
-    WrittenFile& operator=(const WrittenFile&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_ =
-        std::filesystem::temp_directory_path() / fmt::format("placedpar-load-{}.txt", ::getpid());
-};
-
 /// Returns the message that reading the text throws, without the path before the line number; "" if nothing is thrown.
 template <class Read>
 std::string refusal_from(const std::string& text, Read read) {
-    const WrittenFile file(text);
+    const Scratch folder;
+    const std::filesystem::path file = folder.write("file.txt", text);
     try {
-        read(file.path());
+        read(file);
     } catch (const RefusedInput& refused) {
-        const std::string said = refused.what(), path = file.path().string();
+        const std::string said = refused.what(), path = file.string();
         return said.starts_with(path) ? said.substr(path.size()) : said;
     }
     return "";
@@ -56,8 +41,11 @@ const char* const header_of_machine = "name,value,unit,mark,source\n";
 TEST_CASE("a machine's file replaces constants of the excavator, in any unit of the quantity") {
     const hydraulics::Parameters& excavator = hydraulics::Parameters::excavator();
     CHECK(load_machine("", no_warnings)["boom.inlet_area"] == excavator["boom.inlet_area"]);
-    const WrittenFile file(std::string(header_of_machine) + "boom.inlet_area,206.4512,cm^2,measured,data sheet\n");
-    const hydraulics::Parameters machine = load_machine(file.path(), no_warnings);
+    const Scratch folder;
+    const hydraulics::Parameters machine =
+        load_machine(folder.write("machine.csv", std::string(header_of_machine) +
+                                                     "boom.inlet_area,206.4512,cm^2,measured,data sheet\n"),
+                     no_warnings);
     CHECK(machine["boom.inlet_area"] == doctest::Approx(32)); // in^2 of 6.4516 cm^2
     CHECK(machine.find("boom.inlet_area")->source == "data sheet");
     CHECK(machine["boom.outlet_area"] == excavator["boom.outlet_area"]);
@@ -88,12 +76,13 @@ TEST_CASE("a readable record keeps the warnings about it") {
     std::string rows;
     for (int i = 0; i < 60; ++i)
         rows += fmt::format("{:.2f},{},7\n", 0.02 * i, i);
-    const WrittenFile file("time [s],boom.angle [deg],boom.mood [deg]\n" + rows);
+    const Scratch folder;
+    const auto file = folder.write("record.csv", "time [s],boom.angle [deg],boom.mood [deg]\n" + rows);
     std::string told;
-    const LoadedRecord loaded = load_record(file.path(), {}, [&](const std::string& warnings) { told += warnings; });
+    const LoadedRecord loaded = load_record(file, {}, [&](const std::string& warnings) { told += warnings; });
     REQUIRE(loaded.warnings.size() == 1);
     CHECK(loaded.warnings[0].severity == Severity::warning);
-    CHECK(told.starts_with(file.path().string() + ":1:"));
+    CHECK(told.starts_with(file.string() + ":1:"));
     CHECK(told.find("boom.mood") != told.npos);
 }
 

@@ -70,6 +70,15 @@ TEST_CASE("an interruption reaches running pieces and prevents further pieces") 
     CHECK(begun <= count_cores());
 }
 
+TEST_CASE("no piece begins if the interruption comes before the first") {
+    Interruption interruption;
+    interruption.request();
+    std::atomic<int> begun = 0;
+    run_at_once(
+        100, [&](std::size_t, Interruption&) { ++begun; }, interruption, [](std::size_t) {});
+    CHECK(begun == 0);
+}
+
 TEST_CASE("no more pieces of work are done at a time than the caller allows") {
     const Interruption none;
     std::atomic<int> now = 0, most = 0;

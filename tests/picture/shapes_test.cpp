@@ -47,10 +47,8 @@ TEST_CASE("the cycles of cube-connected cycles do not overlap") {
         Shape shape = cube_connected_cycles(dimensions);
         std::vector<Box> cycles;
         for (std::size_t i = 0; i < shape.size(); i += dimensions) {
-            std::vector<Box> nodes;
-            for (std::size_t j = i; j < i + dimensions; ++j)
-                nodes.push_back({shape[j], 0, 0});
-            cycles.push_back(around(nodes));
+            const auto first = shape.begin() + static_cast<std::ptrdiff_t>(i);
+            cycles.push_back(around(Shape(first, first + static_cast<std::ptrdiff_t>(dimensions))));
         }
         for (std::size_t i = 0; i < cycles.size(); ++i)
             for (std::size_t j = 0; j < i; ++j)

@@ -1,6 +1,6 @@
 #include "explore/optimise/optimise_report.hpp"
 #include "tests/explore/optimise/landscape.hpp"
-#include "tests/monitor/memory/scratch.hpp"
+#include "tests/scratch.hpp"
 #include "text/user_error.hpp"
 
 #include <doctest/doctest.h>
