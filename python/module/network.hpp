@@ -32,6 +32,7 @@ struct RunOptions {
     std::optional<std::uint64_t> shuffle = {};
     bool heeds_signals = false;           ///< the caller is Python's main thread
     std::shared_ptr<RunClock> clock = {}; ///< null if no thread reads the time during the run
+    std::string keys = "";                ///< keys that are pressed for programs with a host
 };
 
 /// Returns the time limit of a run; no value means no limit.
@@ -43,9 +44,10 @@ struct FinishedRun {
     GenerationLog log;
     Manifest manifest;
     RunOptions options;
+    std::string output; ///< text that programs with a host wrote to the screen
 };
 
-/// A netlist that has been read, with its kinds in Python.
+/// A netlist, a configuration or a program in occam that has been read, with its kinds in Python.
 class LoadedNetwork {
 public:
     /// Throws a NetlistError of Python with all diagnostics.
@@ -66,7 +68,7 @@ public:
     FinishedRun run(const RunOptions&, TraceSink* = nullptr) const;
 
 private:
-    RunReport run_unlocked(const RunSettings&, const RunOptions&) const;
+    RunReport run_unlocked(const Network&, const RunSettings&, const RunOptions&) const;
 
     LoadSettings settings_;
     ParsedNetlist parsed_;

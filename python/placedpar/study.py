@@ -6,7 +6,7 @@ import os
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .errors import Deadlock, Error, NetlistError
+from .errors import Error, NetlistError, RunError
 from .network import FilePath, Network, Time, is_main_thread, limit, require_network, seed_of, setting
 from .progress import ProgressOption, Told, progress_of
 from .tables import number_in, table
@@ -69,8 +69,8 @@ def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], meas
 def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until: Optional[Time]) -> dict[str, Any]:
     try:
         run = network.run(seed, until, progress=False)
-    except Deadlock as stuck:
-        run = stuck.run
+    except RunError as ended:
+        run = ended.run
     except NetlistError:
         return {"outcome": "refused", **dict.fromkeys(measures)}
     return {"outcome": run.outcome, **dict(zip(measures, network._core.figures(run._core, measures)))}
