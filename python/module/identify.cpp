@@ -78,13 +78,13 @@ RecordInput input_of(std::string_view text, const Interruption& interruption, st
 }
 
 /// Returns the report as JSON, the text for people, and the warnings about the readings.
-py::tuple identify(std::string_view text, IdentifySettings settings, bool heeds_signals) {
+py::tuple identify(std::string_view text, IdentifySettings settings) {
     settle_way(settings);
     boost::json::object json;
     std::string printed, of_machine;
     std::vector<Diagnostic> warnings;
     try {
-        InterruptedByKeyboard interruption(heeds_signals);
+        InterruptedByKeyboard interruption;
         const py::gil_scoped_release unlocked;
         identify_record(settings, input_of(text, interruption, warnings),
                         {json, true, [&printed](const std::string& more) { printed += more; },

@@ -12,8 +12,7 @@ PYBIND11_MODULE(_core, module) {
         try {
             std::rethrow_exception(thrown);
         } catch (const placedpar::UserError& error) {
-            const pybind11::object type = pybind11::module_::import("placedpar.errors").attr("Error");
-            PyErr_SetString(type.ptr(), error.what());
+            PyErr_SetString(error_named("Error").ptr(), error.what());
         }
     });
     add_operations(module);

@@ -38,12 +38,10 @@ py::dict as_dict(const Diagnostic& diagnostic) {
                     "hint"_a = diagnostic.hint, "text"_a = render(diagnostic));
 }
 
-py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
-
 /// Warns in Python. The warning shows the line of the user's program that read an attribute of a run, such as its
 /// timeline.
 void warn(const std::string& text) {
-    py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
+    py::module_::import("warnings").attr("warn")(text, error_named("NetlistWarning"), 3);
 }
 
 [[noreturn]] void refuse(const ReadResult& read) { raise("NetlistError", render(read), as_dicts(read.diagnostics)); }
@@ -214,7 +212,7 @@ py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void raise(const char* error_class, const std::string& text, const py::list& diagnostics) {
-    const py::object error = errors_of(error_class)(text, diagnostics);
+    const py::object error = error_named(error_class)(text, diagnostics);
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
     throw py::error_already_set();
 }
@@ -277,7 +275,7 @@ RunReport LoadedNetwork::run_unlocked(const Network& network, const RunSettings&
                                       const RunOptions& options) const {
     Interpreter interpreter;
     interpreter.clock = options.clock.get();
-    InterruptedByKeyboard interruption(options.heeds_signals);
+    InterruptedByKeyboard interruption;
     RunSettings interruptible = settings;
     interruptible.interruption = &interruption;
     try {
@@ -309,9 +307,9 @@ void add_networks(py::module_& module) {
         }))
         .def("run",
              [](const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
-                std::optional<std::uint64_t> shuffle, bool heeds_signals, std::shared_ptr<RunClock> clock,
+                std::optional<std::uint64_t> shuffle, std::shared_ptr<RunClock> clock,
                 Given<std::string, "keys"> keys) {
-                 return network.run({seed, limit_of_run(until_ps), shuffle, heeds_signals, std::move(clock), keys});
+                 return network.run({seed, limit_of_run(until_ps), shuffle, std::move(clock), keys});
              })
         .def("report_json", json_of)
         .def("report_text", [](const LoadedNetwork& network,

@@ -30,7 +30,6 @@ struct RunOptions {
     std::uint64_t seed = 1;
     Time until = Time::max();
     std::optional<std::uint64_t> shuffle = {};
-    bool heeds_signals = false;           ///< the caller is Python's main thread
     std::shared_ptr<RunClock> clock = {}; ///< null if no thread reads the time during the run
     std::string keys = "";                ///< keys that are pressed for programs with a host
 };

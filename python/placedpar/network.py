@@ -5,7 +5,6 @@ import html
 import json
 import numbers
 import os
-import threading
 import warnings
 from datetime import timedelta
 from pathlib import Path
@@ -49,11 +48,6 @@ def require_network(value: Any) -> None:
     """Raises TypeError if the value is not a Network."""
     if not isinstance(value, Network):
         raise TypeError(f"expected a network, such as pp.load(\"ring.cfs\"), not {value!r}")
-
-
-def is_main_thread() -> bool:
-    """Returns whether Ctrl-C interrupts this thread."""
-    return threading.current_thread() is threading.main_thread()
 
 
 def setting(value: Any) -> str:
@@ -245,8 +239,7 @@ class Network(Statements):
         end = None if end_ps is None else end_ps / 1e12
         with progress_of(progress, "{} of {} s of virtual time") as tell:
             with watched(tell, lambda: clock.picoseconds / 1e12, end):
-                core = self._core.run(seed_of(seed), end_ps, order, is_main_thread(), clock if tell else None,
-                                      keys)
+                core = self._core.run(seed_of(seed), end_ps, order, clock if tell else None, keys)
             if tell:
                 tell(core.time_ps / 1e12, end)
         run = Run(self._core, core)
