@@ -229,16 +229,6 @@ LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
     network_ = std::move(*read.network);
 }
 
-Network LoadedNetwork::with(const Overrides& changes) const {
-    Overrides set = changes;
-    set.merge(Overrides(settings_.set));
-    const ProblemRegistry problems = known_problems(0);
-    ReadResult read = parsed_.read(kinds(problems), set);
-    if (!read.network)
-        throw RefusedInput(render(read));
-    return std::move(*read.network);
-}
-
 Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* observer) const {
     Catalogue catalogue = known_kinds(problems, observer);
     for (const ProcessKind& kind : kinds_) {

@@ -58,9 +58,6 @@ public:
     /// Returns the warnings about the netlist.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }
     bool has_own_kinds() const { return !kinds_.empty(); }
-    /// Returns the network with changed settings, without printing warnings. Throws RefusedInput if the changed network
-    /// has errors.
-    Network with(const Overrides&) const;
     Catalogue kinds(const ProblemRegistry&, SearchObserver* = nullptr) const;
 
     /// Runs the network without Python's lock. Rethrows the first exception of a process in Python.
