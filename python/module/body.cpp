@@ -1,4 +1,4 @@
-#include "python/module/body.hpp"
+#include "python/module/network.hpp"
 
 #include "netlist/network/network.hpp"
 #include "python/module/generator_run.hpp"

@@ -1,7 +1,7 @@
 #include "python/module/module.hpp"
-#include "python/module/network.hpp"
-#include "python/module/operation.hpp"
+#include "python/module/interpreter.hpp"
 #include "python/module/signals.hpp"
+#include "report/manifest.hpp"
 #include "text/user_error.hpp"
 
 /// Makes the part of the package that is in C++. Users call the functions in python/placedpar/, which call this part.
@@ -17,6 +17,7 @@ PYBIND11_MODULE(_core, module) {
     });
     add_operations(module);
     add_networks(module);
+    add_random(module);
     add_searches(module);
     add_studies(module);
     add_identifications(module);

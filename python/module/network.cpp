@@ -1,5 +1,6 @@
 #include "python/module/network.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
 #include "explore/occam_program.hpp"
 #include "explore/problems.hpp"
@@ -10,7 +11,6 @@
 #include "observe/page/run_page.hpp"
 #include "observe/trace/timeline.hpp"
 #include "picture/svg.hpp"
-#include "python/module/body.hpp"
 #include "python/module/given.hpp"
 #include "python/module/signals.hpp"
 #include "report/run_report.hpp"

@@ -73,12 +73,13 @@ private:
     Network network_;
 };
 
+/// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds Python's global lock. Throws
+/// UserError if the class does not describe a kind.
+ProcessKind kind_of(pybind11::handle process_class);
 /// Returns a dictionary for each error and warning. REQUIRES: the caller holds Python's global lock.
 pybind11::list as_dicts(const std::vector<Diagnostic>&);
 /// Raises an exception of the class `error_class` of placedpar.errors, with this text and these diagnostics. REQUIRES:
 /// the caller holds Python's global lock.
 [[noreturn]] void raise(const char* error_class, const std::string& text, const pybind11::list& diagnostics);
-
-void add_networks(pybind11::module_&);
 
 } // namespace placedpar::python
