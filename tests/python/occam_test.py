@@ -13,16 +13,14 @@ from network_test import rows
 SOURCE = pathlib.Path(os.environ["PLACEDPAR_SOURCE"])
 PHILOSOPHERS = SOURCE / "examples/occam/philosophers/philosophers.occ"
 FARM = SOURCE / "examples/occam/sixteen/farm.pgm"
-STARS = """VAL INT n IS 3:
-VAL INT digit IS 7:
-PROC stars (CHAN OF BYTE keyboard, screen, error)
+DOTS = """VAL INT n IS 3:
+PROC dots (CHAN OF BYTE keyboard, screen, error)
   [10]INT x:
-  SEQ
-    SEQ i = 0 FOR n
-      SEQ
-        x[i] := i
-        screen ! '.'
-    screen ! '*n'
+  SEQ i = 0 FOR n
+    SEQ
+      x[i] := i
+      screen ! '.'
+      screen ! '*n'
 :
 """
 ECHO = """PROC echo (CHAN OF BYTE keyboard, screen, error)
@@ -38,7 +36,7 @@ ECHO = """PROC echo (CHAN OF BYTE keyboard, screen, error)
 class Programs(unittest.TestCase):
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
-        self.stars = self.write("stars.occ", STARS.replace("VAL INT digit IS 7:\n", ""))
+        self.dots = self.write("dots.occ", DOTS)
 
     def write(self, name, text):
         (self.folder / name).write_text(text, encoding="ascii")
@@ -67,10 +65,10 @@ class Programs(unittest.TestCase):
         self.assertEqual(caught.exception.run.output, "a")
 
     def test_the_timeline_and_the_page_repeat_the_run(self):
-        run = pp.load(self.stars).run()
+        run = pp.load(self.dots).run()
         self.assertIn("root", {row["track"] for row in rows(run.timeline)})
         self.assertIn("root", run.page().text)
-        self.assertEqual(run.output, "...\n")
+        self.assertEqual(run.output, ".\n" * 3)
 
     def test_a_deadlock_names_lines_of_the_program(self):
         with self.assertRaises(pp.Deadlock) as caught:
@@ -81,26 +79,26 @@ class Programs(unittest.TestCase):
 
     def test_an_error_of_a_program_is_an_exception_with_its_line(self):
         with self.assertRaises(pp.ProgramError) as caught:
-            pp.load(self.stars, n=11).run()
-        self.assertRegex(str(caught.exception), r"^root stopped at .*stars\.occ:8: ")
-        self.assertEqual(caught.exception.run.output, "." * 10)
+            pp.load(self.dots, n=11).run()
+        self.assertRegex(str(caught.exception), r"^root stopped at .*dots\.occ:6:7: subscript 10 ")
+        self.assertEqual(caught.exception.run.output, ".\n" * 9)  # the host has not yet received the tenth line
         self.assertIsInstance(caught.exception, pp.RunError)
 
     def test_a_wrong_program_or_setting_is_an_exception_with_its_place(self):
-        wrong = self.write("wrong.occ", STARS.replace("x[i]", "y[i]"))
-        for file, settings, place, message in ((wrong, {}, (8, 9), '"y" is not declared'),
-                                               (self.stars, {"n": 2**40}, (1, 9), "INT holds whole numbers from"),
-                                               (self.stars, {"n": -1}, (6, 21), "")):
+        wrong = self.write("wrong.occ", DOTS.replace("x[i]", "y[i]"))
+        for file, settings, place, message in ((wrong, {}, (6, 7), 'unknown name "y"'),
+                                               (self.dots, {"n": 2**40}, (1, 9), "INT holds whole numbers from"),
+                                               (self.dots, {"n": -1}, (4, 17), "the count of this replicator is -1")):
             with self.subTest(message=message), self.assertRaises(pp.NetlistError) as caught:
                 pp.load(file, **settings)
             error = caught.exception
             self.assertEqual((error.file, error.line, error.column), (str(file), *place), error)
             self.assertIn(message, str(error))
         with self.assertRaisesRegex(pp.NetlistError, 'no val, attribute or parameter "m"'):
-            pp.load(self.stars, m=1)
+            pp.load(self.dots, m=1)
         with self.assertRaises(pp.NetlistError) as caught:
-            pp.load(self.stars, n=1.5)
-        self.assertEqual(caught.exception.hint, "in the program its value is 3")
+            pp.load(self.dots, n=1.5)
+        self.assertEqual(caught.exception.hint, "in the program its value is 3, an integer")
 
     def test_a_file_that_is_not_a_program_is_refused(self):
         for text, reason in (("", "the file has no PROC that can be run"),
@@ -109,17 +107,17 @@ class Programs(unittest.TestCase):
                 pp.load(self.write("no.occ", text))
 
     def test_a_warning_has_a_line_and_comes_once(self):
-        file = self.write("unused.occ", STARS)
-        with self.assertWarnsRegex(pp.NetlistWarning, r'unused\.occ:2:9: warning: .*"digit" is never used'):
+        file = self.write("unused.occ", DOTS.replace("  SEQ i", "  INT unused:\n  SEQ i"))
+        with self.assertWarnsRegex(pp.NetlistWarning, r'unused\.occ:4:7: warning: the variable "unused" is never used'):
             net = pp.load(file, n=1)
-        self.assertEqual([each["line"] for each in net._core.warnings], [2])
+        self.assertEqual([each["line"] for each in net._core.warnings], [4])
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             pp.sweep(net, n=[1, 2])
             pp.explain(net)
 
     def test_a_program_is_drawn_and_explained_but_is_no_netlist(self):
-        net = pp.load(self.stars)
+        net = pp.load(self.dots)
         self.assertTrue(net.svg().text.startswith("<svg"))
         self.assertIn("root", str(pp.explain(net)))
         self.assertTrue(rows(pp.explain(net).what_if))
@@ -127,7 +125,7 @@ class Programs(unittest.TestCase):
             print(net.cfs)
 
     def test_a_sweep_of_vals_keeps_its_runs(self):
-        net = pp.load(self.stars)
+        net = pp.load(self.dots)
         store = self.folder / "runs.sqlite"
         told = []
         first = rows(pp.sweep(net, n=range(1, 3), store=store))
