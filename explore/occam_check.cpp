@@ -1,6 +1,7 @@
 #include "explore/occam_check.hpp"
 
 #include "occam/library/library.hpp"
+#include "text/reporter.hpp"
 
 #include <utility>
 
@@ -18,9 +19,9 @@ void leave_out_unwanted(occam::SourceOptions& options, const occam::SourceOption
 } // namespace
 
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vector<std::filesystem::path> folders,
-                              const occam::SourceOptions& wanted, std::shared_ptr<const SourceFile> standard_input,
+                              const occam::SourceOptions& wanted, Reporter& reporter,
+                              std::shared_ptr<const SourceFile> standard_input,
                               const occam::ChangeDeclaration& change) {
-    Reporter reporter;
     occam::ParseOptions options;
     options.folders = std::move(folders);
     options.built_in = [&standard_input](const std::string& name) {
@@ -34,6 +35,15 @@ OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vecto
     OccamCheck result{.program = std::move(parsed.program), .options = parsed.options};
     result.main = occam::main_procedure(*result.program);
     result.failed = reporter.failed();
+    return result;
+}
+
+OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vector<std::filesystem::path> folders,
+                              const occam::SourceOptions& wanted, std::shared_ptr<const SourceFile> standard_input,
+                              const occam::ChangeDeclaration& change) {
+    Reporter reporter;
+    OccamCheck result =
+        check_occam_source(std::move(file), std::move(folders), wanted, reporter, std::move(standard_input), change);
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();
     return result;

@@ -10,6 +10,8 @@
 
 namespace placedpar {
 
+class Reporter; // text/reporter.hpp
+
 /// A program in occam that has been read and checked.
 struct OccamCheck {
     std::unique_ptr<occam::Program> program;
@@ -22,9 +24,14 @@ struct OccamCheck {
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
 /// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. A program can include the text
-/// of `standard_input` by `#INCLUDE "standard input"`. `change` is as for occam::check().
+/// of `standard_input` by `#INCLUDE "standard input"`. `change` is as for occam::check(). The reporter receives the
+/// diagnostics; without a reporter, the result has them.
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
+                              std::shared_ptr<const SourceFile> standard_input = nullptr,
+                              const occam::ChangeDeclaration& change = {});
+OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
+                              const occam::SourceOptions& wanted, Reporter&,
                               std::shared_ptr<const SourceFile> standard_input = nullptr,
                               const occam::ChangeDeclaration& change = {});
 

@@ -5,6 +5,8 @@
 #include "occam/configuration/configuration.hpp"
 #include "occam/network/vals.hpp"
 #include "text/number.hpp"
+#include "text/program_name.hpp"
+#include "text/refused_text.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
@@ -38,13 +40,6 @@ bool leaves_out(const OccamOptions& options, std::string_view name) {
     return found;
 }
 
-/// Returns the program with its warnings. Throws RefusedInput if the program has errors.
-OccamCheck without_errors(OccamCheck program) {
-    if (program.failed)
-        throw RefusedInput(render(program.diagnostics) + program.not_shown);
-    return program;
-}
-
 /// Returns whether a main procedure has the channels keyboard, screen and error of a terminal, instead of channels to a
 /// host.
 bool uses_terminal(const occam::Declaration& main) {
@@ -60,7 +55,7 @@ bool gets_free_memory(const occam::Declaration& main) {
 
 /// Returns a program whose only procedure connects the main procedure `main` of the file to the terminal.
 std::shared_ptr<const SourceFile> around(const std::filesystem::path& path, const occam::Declaration& main) {
-    const std::string file = is_standard_stream(path) ? "standard input" : path.filename().string();
+    const std::string file = path == shown_input("-") ? "standard input" : path.filename().string();
     const auto& keyboard = *std::get<occam::Procedure>(main.form).parameters.front();
     const bool reads = keyboard.direction != occam::Direction::unused;
     return std::make_shared<SourceFile>((path.parent_path() / ("terminal of " + file)).string(),
@@ -118,32 +113,42 @@ bool is_occam(const std::filesystem::path& path) {
 
 namespace {
 
-/// Reads and checks a program. If its main procedure uses a terminal, adds a procedure that calls the main procedure.
-OccamCheck checked_program(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
-                           const OccamOptions& typed, const WarningSink& warn, const occam::ChangeDeclaration& change) {
-    const std::shared_ptr<const SourceFile> file = load_text(path);
-    OccamCheck program = without_errors(check_occam_source(file, folders, wanted_checks(typed)));
-    if (!program.diagnostics.empty())
-        warn(render(program.diagnostics) + program.not_shown);
+/// Throws UserError if the file cannot be run on a single transputer: it is a configuration, or has no procedure.
+void require_main(const OccamCheck& program, const std::string& path) {
     if (program.program->is_configuration)
         throw UserError(fmt::format("{}: the file is a configuration; compile makes a program for one transputer, and "
                                     "run executes a configuration",
-                                    path.string()));
+                                    path));
     if (!program.main)
-        throw UserError(fmt::format("{}: the file has no PROC that can be run", path.string()));
-    const bool is_wrapped = uses_terminal(*program.main);
-    if (!is_wrapped && !change)
-        return program;
-    return without_errors(check_occam_source(is_wrapped ? around(path, *program.main) : file, folders,
-                                             wanted_checks(typed), is_wrapped ? file : nullptr, change));
+        throw UserError(fmt::format("{}: the file has no PROC that can be run", path));
 }
 
-} // namespace
+void report_errors(const std::vector<Diagnostic>& diagnostics, Reporter& reporter) {
+    for (const Diagnostic& each : diagnostics)
+        if (each.severity == Severity::error)
+            reporter.error(each.location, each.message, each.hint, each.others);
+}
 
-CompiledOccam compile_occam(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
-                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn,
-                            const occam::ChangeDeclaration& change) {
-    const OccamCheck program = checked_program(path, folders, typed, warn, change);
+/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again: with a
+/// procedure that calls the main procedure, and with the change. This second check reports only errors, since the first
+/// check has reported the warnings.
+OccamCheck checked_program(const std::shared_ptr<const SourceFile>& file,
+                           const std::vector<std::filesystem::path>& folders, const occam::SourceOptions& wanted,
+                           const occam::ChangeDeclaration& change, Reporter& reporter) {
+    OccamCheck program = check_occam_source(file, folders, wanted, reporter);
+    if (program.failed)
+        return program;
+    require_main(program, file->path());
+    const bool is_wrapped = uses_terminal(*program.main);
+    if (is_wrapped || change)
+        program = check_occam_source(is_wrapped ? around(file->path(), *program.main) : file, folders, wanted,
+                                     is_wrapped ? file : nullptr, change);
+    report_errors(program.diagnostics, reporter);
+    return program;
+}
+
+/// Throws RefusedText. REQUIRES: the program has no errors.
+CompiledOccam compiled(const OccamCheck& program, const OccamOptions& typed, transputer::Model model) {
     const occam::CodeOptions options{.model = model,
                                      .mode = occam::error_mode(typed.mode),
                                      .range_checks = program.options.range_checks && program.options.run_time_checks,
@@ -154,6 +159,20 @@ CompiledOccam compile_occam(const std::filesystem::path& path, const std::vector
     const std::uint64_t free_bytes = gets_free_memory(*program.main) ? occam::bytes_of_free_memory : 0;
     return {bootable(code, options), place_table(code, *program.program, code_at),
             image_of(code, options).bytes + free_bytes};
+}
+
+} // namespace
+
+CompiledOccam compile_occam(const std::filesystem::path& path, const std::vector<std::filesystem::path>& folders,
+                            const OccamOptions& typed, transputer::Model model, const WarningSink& warn) {
+    Reporter reporter;
+    const OccamCheck program = checked_program(load_text(path), folders, wanted_checks(typed), {}, reporter);
+    const std::string found = render(reporter.take()) + reporter.not_shown();
+    if (program.failed)
+        throw RefusedInput(found);
+    if (!found.empty())
+        warn(found);
+    return compiled(program, typed, model);
 }
 
 std::optional<std::uint64_t> bytes_of_size(const std::string& text) {
@@ -174,19 +193,15 @@ std::string netlist_around(const std::filesystem::path& file, const ProgramMachi
 
 namespace {
 
-CompiledProgram compiled_program(const std::filesystem::path& file, const std::vector<std::filesystem::path>& folders,
-                                 const ProgramMachine& machine, const WarningSink& warn,
-                                 const occam::ChangeDeclaration& change) {
-    CompiledOccam made =
-        compile_occam(file, folders, machine.occam, *transputer::model_named(machine.processor), warn, change);
+CompiledProgram compiled_program(const OccamCheck& program, const std::string& file, const ProgramMachine& machine) {
+    CompiledOccam made = compiled(program, machine.occam, *transputer::model_named(machine.processor));
     if (made.memory_bytes > *bytes_of_size(machine.memory))
-        throw UserError(
-            fmt::format("{}: the program needs {} bytes of memory, but the transputer has {}\nhint: use --memory "
-                        "{}M",
-                        file.string(), made.memory_bytes, machine.memory,
-                        std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
+        throw UserError(fmt::format(
+            "{}: the program needs {} bytes of memory, but the transputer has {}\nhint: use --memory "
+            "{}M",
+            file, made.memory_bytes, machine.memory, std::bit_ceil((made.memory_bytes + (1 << 20) - 1) >> 20)));
     return {std::make_shared<const std::vector<std::uint8_t>>(std::move(made.file)),
-            std::make_shared<const SourceFile>("lines of " + file.string(), std::move(made.lines))};
+            std::make_shared<const SourceFile>("lines of " + file, std::move(made.lines))};
 }
 
 std::string hint_of_program(const std::string& hint) {
@@ -194,34 +209,48 @@ std::string hint_of_program(const std::string& hint) {
     return hint.starts_with(netlist) ? "in the program its value is" + hint.substr(netlist.size()) : hint;
 }
 
-/// Compiles the program, with the values of the choice, and makes a netlist with one transputer that it boots. The
-/// compiler's warnings are reported only without a choice, since a netlist is made with one for the second time.
-MadeNetlist netlist_of_program(const std::string& path, const std::vector<std::filesystem::path>& folders,
-                               const ProgramMachine& machine, const ValChoice& choose, Reporter& reporter,
-                               const WarningSink& warn) {
-    const auto change = [&](occam::Program& program, occam::Declaration& each) {
-        occam::choose_val(program, each, choose, reporter);
-    };
-    const auto silent = [](const std::string&) {};
-    const std::filesystem::path file = path, as_found = file.parent_path() / file.filename(); // beside the netlist
-    MadeNetlist made;
-    made.text = std::make_shared<const SourceFile>(path, netlist_around(path, machine));
-    made.compiled[as_found.string()] = choose ? compiled_program(path, folders, machine, silent, change)
-                                              : compiled_program(path, folders, machine, warn, {});
-    made.translate_hint = hint_of_program;
+/// Compiles the program, with the values of the choice, and makes a netlist with one transputer that it boots. Reports
+/// the program's errors and warnings.
+MadeNetlist netlist_of_program(const std::shared_ptr<const SourceFile>& file,
+                               const std::vector<std::filesystem::path>& folders, const ProgramMachine& machine,
+                               const ValChoice& choose, Reporter& reporter) {
+    occam::ChangeDeclaration change;
+    if (choose)
+        change = [&](occam::Program& program, occam::Declaration& each) {
+            occam::choose_val(program, each, choose, reporter);
+        };
+    const OccamCheck program = checked_program(file, folders, wanted_checks(machine.occam), change, reporter);
+    MadeNetlist made{.translate_hint = hint_of_program};
+    if (reporter.failed())
+        return made;
+    const std::filesystem::path path = file->path(),
+                                as_found = path.parent_path() / path.filename(); // beside the netlist
+    made.text = std::make_shared<const SourceFile>(file->path(), netlist_around(path, machine));
+    made.compiled[as_found.string()] = compiled_program(program, file->path(), machine);
     return made;
 }
 
 } // namespace
 
-NetlistMaker netlist_maker(const ProgramMachine& machine, const WarningSink& warn) {
-    return [machine, warn](const std::shared_ptr<const SourceFile>& file,
-                           const std::vector<std::filesystem::path>& folders, const ValChoice& choose,
-                           Reporter& reporter) {
-        return file->path().ends_with(".occ") && !occam::is_configuration(*file)
-                   ? netlist_of_program(file->path(), folders, machine, choose, reporter, warn)
-                   : occam::netlist_of_configuration(file, folders, choose, reporter);
+NetlistMaker netlist_maker(const ProgramMachine& machine) {
+    return [machine](const std::shared_ptr<const SourceFile>& file, const std::vector<std::filesystem::path>& folders,
+                     const ValChoice& choose, Reporter& reporter) -> MadeNetlist {
+        if (!file->path().ends_with(".occ") || occam::is_configuration(*file))
+            return occam::netlist_of_configuration(file, folders, choose, reporter);
+        try {
+            return netlist_of_program(file, folders, machine, choose, reporter);
+        } catch (const RefusedText& refused) {
+            report_errors(refused.diagnostics(), reporter);
+            return {};
+        }
     };
+}
+
+void require_netlist(const std::filesystem::path& file) {
+    if (is_occam(file))
+        throw UserError(fmt::format("{0}: the machine of a program in occam cannot be shown as a netlist; to use the "
+                                    "program in one, compile it: {1} compile {0} -o FILE.btl",
+                                    file.string(), program_name()));
 }
 
 } // namespace placedpar

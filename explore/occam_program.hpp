@@ -42,11 +42,9 @@ struct CompiledOccam {
     std::string lines;              ///< for the file NAME.lines: the source line of each address
     std::uint64_t memory_bytes = 0; ///< memory that the program needs, including the free memory that it receives
 };
-/// Compiles a program for a transputer. `change` is as for occam::check(). Throws RefusedInput; throws UserError for an
-/// unknown check.
+/// Compiles a program for a transputer. Throws RefusedInput; throws UserError for an unknown check.
 CompiledOccam compile_occam(const std::filesystem::path&, const std::vector<std::filesystem::path>& folders,
-                            const OccamOptions&, transputer::Model, const WarningSink&,
-                            const occam::ChangeDeclaration& change = {});
+                            const OccamOptions&, transputer::Model, const WarningSink&);
 
 /// The transputer on which a program without a netlist runs.
 struct ProgramMachine {
@@ -61,8 +59,12 @@ std::optional<std::uint64_t> bytes_of_size(const std::string& text);
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
 /// Returns a function that makes a netlist from a file in occam. A configuration becomes the netlist that it describes.
 /// A program is compiled for the machine, and becomes a netlist with one transputer, which it boots. Options can set
-/// the VALs at the outermost level of the file. For a program, the function throws as compile_occam() does, and throws
-/// UserError if the memory is too small.
-NetlistMaker netlist_maker(const ProgramMachine&, const WarningSink&);
+/// the VALs at the outermost level of the file. For a program, the function throws UserError if the file has no
+/// procedure that can be run, if the memory is too small, or for an unknown check.
+NetlistMaker netlist_maker(const ProgramMachine&);
+/// Throws UserError if the file is a program in occam. The network that netlist_maker() makes of a program cannot be
+/// printed as a netlist that could be read again: a netlist names bootable files, but the program's code is only in
+/// memory.
+void require_netlist(const std::filesystem::path&);
 
 } // namespace placedpar

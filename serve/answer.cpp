@@ -66,7 +66,7 @@ struct Loaded {
 /// Reads the job's netlist, or makes a netlist with one transputer for a program in occam.
 Loaded load(const Job& job, std::string& warnings) {
     const WarningSink warn = [&warnings](const std::string& text) { warnings += unpainted(text); };
-    ParsedNetlist parsed(job.main, {.make_netlist = netlist_maker({}, warn)});
+    ParsedNetlist parsed(job.main, {.make_netlist = netlist_maker({})});
     Network network = load_network(parsed, {}, known_kinds(known_problems(0)), warn);
     return {std::move(parsed), std::move(network)};
 }

@@ -8,10 +8,7 @@
 #include "netlist/print/promela.hpp"
 #include "picture/svg.hpp"
 #include "text/output_file.hpp"
-#include "text/program_name.hpp"
 #include "text/user_error.hpp"
-
-#include <fmt/format.h>
 
 #include <filesystem>
 #include <memory>
@@ -48,18 +45,10 @@ void require_drawing(const ShowOptions& options) {
         throw UserError("--software needs the output format svg: write --format svg --software");
 }
 
-/// Throws UserError if the network would be printed as a netlist that could not be read again: a netlist names bootable
-/// files, but the program's code is only in memory.
-void require_printable(const ShowOptions& options) {
-    if (options.format == "cfs" && is_occam(options.netlist.file))
-        throw UserError(fmt::format("{0}: the machine of a program in occam cannot be shown as a netlist; to use the "
-                                    "program in one, compile it: {1} compile {0} -o FILE.btl",
-                                    options.netlist.file, program_name()));
-}
-
 ExitCode show(const ShowOptions& options) {
     require_drawing(options);
-    require_printable(options);
+    if (options.format == "cfs")
+        require_netlist(options.netlist.file);
     Network network = load_network(options.netlist);
     std::string text = text_of(network, options.format, options.software);
     if (options.out.empty()) {

@@ -20,9 +20,6 @@ namespace placedpar {
 /// warning that occurs again in a later piece is counted, and the counts are shown at the end.
 class RecordPieces final : public RecordStream {
 public:
-    static constexpr std::size_t piece_bytes = 1 << 20; ///< approximate length of a piece; a piece ends at the end of a
-                                                        ///< line
-
     /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
     /// the record ends when `stop` returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,

@@ -180,7 +180,7 @@ Network load_network(const Options& typed, const NetlistOptions& netlist, const 
     const bool bootable =
         occam || (netlist.file != "-" && (looks_bootable(netlist.file) || is_empty_program(netlist.file)));
     ReadOptions read = read_options_of(netlist.read);
-    read.make_netlist = netlist_maker(options, netlist.warn);
+    read.make_netlist = netlist_maker(options);
     if (bootable && !occam)
         read_bootable(netlist.file); // refuses a wrong file with a message that names only the file
     const ParsedNetlist parsed = bootable && !occam

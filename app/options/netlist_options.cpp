@@ -1,7 +1,6 @@
 #include "app/options/netlist_options.hpp"
 
 #include "app/options/common_options.hpp"
-#include "app/standard_error.hpp"
 #include "explore/occam_program.hpp"
 #include "explore/prediction/native_netlist.hpp"
 #include "explore/problems.hpp"
@@ -56,7 +55,7 @@ std::vector<Option> add_read_options(Options& command, ReadOptionsTyped& options
 
 ReadOptions read_options_of(const ReadOptionsTyped& typed) {
     ReadOptions options;
-    options.make_netlist = netlist_maker({}, print_warnings);
+    options.make_netlist = netlist_maker({});
     options.faults = typed.fault;
     for (const std::string& folder : typed.include) {
         if (std::error_code error; !std::filesystem::is_directory(folder, error))

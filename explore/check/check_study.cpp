@@ -39,7 +39,7 @@ void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
 
 CheckedFile check_netlist_of(const Study& study, const std::filesystem::path& path, const Catalogue& catalogue) {
     ReadOptions read = study.read;
-    read.make_netlist = netlist_maker({}, [](const std::string&) {}); // as the study itself reads it
+    read.make_netlist = netlist_maker({}); // as the study itself reads it
     const auto run = first_run(study);
     CheckedFile checked = check_netlist(study.netlist, catalogue, run ? run->set : Overrides{}, read);
     for (Diagnostic& each : checked.diagnostics)

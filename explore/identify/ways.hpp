@@ -7,6 +7,7 @@
 
 #include <boost/json/fwd.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -19,6 +20,10 @@ namespace placedpar {
 /// A record of any length, which is read in pieces.
 class RecordStream {
 public:
+    /// Approximate length of a piece of a text; a piece ends at the end of a line. All streams have the same length,
+    /// because readings are interpolated within a piece.
+    static constexpr std::size_t piece_bytes = 1 << 20;
+
     virtual ~RecordStream() = default;
     /// Returns the next piece, or nullopt when the record is over. Throws an exception if the record is invalid.
     virtual std::optional<hydraulics::Record> next() = 0;

@@ -82,6 +82,13 @@ std::optional<LinkSample> Diagnosis::centre(Link link) const {
     return state_->tracks[index_of(link)].centre(fit_, state_->parameters.links[index_of(link)]);
 }
 
+Diagnosis::Diagnosis(const Diagnosis& other)
+    : settings_(other.settings_), seed_(other.seed_), sampling_(other.sampling_),
+      state_(std::make_unique<State>(*other.state_)), judged_(other.judged_), fit_(other.fit_),
+      moving_(other.moving_ ? std::make_unique<MovingDiagnosis>(*other.moving_) : nullptr), sets_(other.sets_),
+      problems_(other.problems_) {}
+
+Diagnosis& Diagnosis::operator=(const Diagnosis& other) { return *this = Diagnosis(other); }
 Diagnosis::Diagnosis(Diagnosis&&) noexcept = default;
 Diagnosis& Diagnosis::operator=(Diagnosis&&) noexcept = default;
 Diagnosis::~Diagnosis() = default;

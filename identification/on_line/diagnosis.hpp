@@ -53,7 +53,9 @@ public:
     Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
               std::uint64_t seed);
     Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed);
+    Diagnosis(const Diagnosis&);
     Diagnosis(Diagnosis&&) noexcept;
+    Diagnosis& operator=(const Diagnosis&);
     Diagnosis& operator=(Diagnosis&&) noexcept;
     ~Diagnosis();
 

@@ -11,7 +11,7 @@ namespace placedpar::occam {
 /// The free memory that a main procedure receives as its parameter `[]INT memory` has this size.
 inline constexpr std::int64_t bytes_of_free_memory = 256 * 1024;
 
-/// Compiles a program that was checked without errors. Throws RefusedInput if the program has a construct that this
+/// Compiles a program that was checked without errors. Throws RefusedText if the program has a construct that this
 /// compiler does not support.
 Code compile(const Program&, const Declaration& main, const CodeOptions&);
 

@@ -1,11 +1,11 @@
 #include "occam/code/generator.hpp"
 
-#include "text/diagnostic.hpp"
-#include "text/user_error.hpp"
+#include "text/refused_text.hpp"
 
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace placedpar::occam {
 
@@ -16,7 +16,7 @@ Generator::Generator(const Program& program, const CodeOptions& options) : progr
 void Generator::refuse(const Place& place, const std::string& what) const {
     Diagnostic diagnostic = error_at(place.line, place.column, what);
     diagnostic.location.file = program_.files[place.file];
-    throw RefusedInput(render(diagnostic));
+    throw RefusedText({std::move(diagnostic)});
 }
 
 void Generator::count(int effect) {

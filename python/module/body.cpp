@@ -1,4 +1,4 @@
-#include "python/module/body.hpp"
+#include "python/module/network.hpp"
 
 #include "netlist/network/network.hpp"
 #include "python/module/generator_run.hpp"
@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace placedpar::python {
 
@@ -66,22 +67,22 @@ struct Body {
 /// Makes the instance of the process's class, with the channel ends and parameters as attributes.
 py::object instance_of(py::handle process_class, const ProcessKind& kind, ProcessEnvironment& environment, Body& body) {
     const py::object instance = process_class.attr("__new__")(process_class);
-    const py::set arrays(process_class.attr("_arrays")());
     const auto& parameters = environment.network().processes[environment.index()].parameters;
     for (const PortDescription& port : kind.ports)
-        instance.attr(port.name.c_str()) = body.bind(environment, port, arrays.contains(port.name));
+        instance.attr(port.name.c_str()) =
+            body.bind(environment, port, process_class.attr(port.name.c_str()).attr("is_array").cast<bool>());
     for (const ParameterDescription& parameter : kind.parameters)
         instance.attr(parameter.name.c_str()) = py::cast(parameters.at(parameter.name));
     instance.attr("name") = environment.process();
     instance.attr("seed") = environment.seed();
-    instance.attr("_measure_number") = py::cpp_function(
-        [measured = body.measured](Given<std::string, "name"> name, double value, Given<std::string, "unit"> unit) {
-            environment_of(measured).measure(name, value, unit);
-        });
-    instance.attr("_measure_text") =
-        py::cpp_function([measured = body.measured](Given<std::string, "name"> name, std::string value) {
-            environment_of(measured).measure(name, value);
-        });
+    instance.attr("_measure") = py::cpp_function([measured = body.measured](Given<std::string, "name"> name,
+                                                                            std::variant<double, std::string> value,
+                                                                            Given<std::string, "unit"> unit) {
+        if (const auto* text = std::get_if<std::string>(&value))
+            environment_of(measured).measure(name, *text);
+        else
+            environment_of(measured).measure(name, std::get<double>(value), unit);
+    });
     instance.attr("__init__")();
     return instance;
 }

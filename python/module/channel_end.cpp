@@ -6,29 +6,31 @@
 
 #include <pybind11/stl.h>
 
+#include <concepts>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 namespace placedpar::python {
 
 namespace {
 
-/// Throws pybind11::type_error if the object is not a T.
+/// Throws pybind11::type_error if the object is not a message of this protocol.
 template <class T>
-T cast_or_refuse(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
+T message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
     try {
+        if constexpr (std::same_as<T, std::vector<std::uint8_t>>)
+            if (pybind11::isinstance<pybind11::bytes>(object)) {
+                const auto bytes = object.cast<std::string_view>();
+                return {bytes.begin(), bytes.end()};
+            }
         return object.cast<T>();
     } catch (const pybind11::cast_error&) {
         throw pybind11::type_error(pybind11::str("channel {} carries {}, not {!r}")
                                        .format(channel.name(), protocol, object)
                                        .cast<std::string>());
     }
-}
-
-template <class T>
-T message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
-    return cast_or_refuse<T>(object, channel, protocol);
 }
 
 std::uint32_t wire_bytes_of(pybind11::handle object) {
@@ -48,14 +50,6 @@ ObjectMessage message_from(pybind11::handle object, const AnyChannel&, const cha
     if (pybind11::hasattr(object, "wire_bytes"))
         bytes = wire_bytes_of(object);
     return {SharedObject(pybind11::reinterpret_borrow<pybind11::object>(object)), bytes};
-}
-
-template <>
-std::vector<std::uint8_t> message_from(pybind11::handle object, const AnyChannel& channel, const char* protocol) {
-    if (!pybind11::isinstance<pybind11::bytes>(object))
-        return cast_or_refuse<std::vector<std::uint8_t>>(object, channel, protocol);
-    const auto bytes = object.cast<std::string_view>();
-    return {bytes.begin(), bytes.end()};
 }
 
 template <class T>

@@ -27,11 +27,6 @@ std::string place_of(py::object generator) {
     return file.substr(file.find_last_of('/') + 1) + ":" + std::to_string(frame.attr("f_lineno").cast<int>());
 }
 
-/// Returns placedpar.Error with this text.
-py::object library_error(const std::string& text) {
-    return py::module_::import("placedpar.errors").attr("Error")(text);
-}
-
 } // namespace
 
 GeneratorRun::~GeneratorRun() {
@@ -94,7 +89,7 @@ void GeneratorRun::prepare_or_fail() {
     } catch (const py::builtin_exception& error) {
         fail(py::reinterpret_borrow<py::object>(PyExc_TypeError)(error.what()));
     } catch (const UserError& error) {
-        fail(library_error(error.what()));
+        fail(error_named("Error")(error.what()));
     }
 }
 
@@ -229,7 +224,7 @@ void GeneratorRun::answer() {
         result_ = result_of_operation();
         now_ = nullptr;
     } else if (!refused_.empty()) {
-        fail(library_error(std::exchange(refused_, "")));
+        fail(error_named("Error")(std::exchange(refused_, "")));
     } else {
         step(result_of_operation());
     }

@@ -53,7 +53,7 @@ void Interpreter::call(Call call) {
 }
 
 void Interpreter::make_call() noexcept {
-    const WithLock lock;
+    const pybind11::gil_scoped_acquire lock;
     is_inside_ = true;
     try {
         call_.function(call_.argument);
@@ -85,7 +85,7 @@ std::string text_of(pybind11::handle exception) {
 void rethrow(const SharedObject& failure, const char* error_class, const std::string& text) {
     auto thrown = pybind11::reinterpret_borrow<pybind11::object>(failure.get());
     if (PyErr_GivenExceptionMatches(thrown.ptr(), PyExc_Exception) != 0) {
-        const pybind11::object error = pybind11::module_::import("placedpar.errors").attr(error_class)(text);
+        const pybind11::object error = error_named(error_class)(text);
         error.attr("__cause__") = thrown;
         thrown = error;
     }

@@ -12,18 +12,6 @@
 
 namespace placedpar::python {
 
-/// Holds Python's global lock while it exists. It may be nested, and used on any thread.
-class WithLock {
-public:
-    WithLock() : state_(PyGILState_Ensure()) {}
-    ~WithLock() { PyGILState_Release(state_); }
-    WithLock(const WithLock&) = delete;
-    WithLock& operator=(const WithLock&) = delete;
-
-private:
-    PyGILState_STATE state_;
-};
-
 /// A reference to a Python object, which may be copied and destroyed without the lock.
 class SharedObject {
 public:
@@ -31,7 +19,7 @@ public:
     /// REQUIRES: the caller holds the lock.
     explicit SharedObject(pybind11::object object)
         : object_(object.release().ptr(), [](PyObject* held) {
-              const WithLock lock;
+              const pybind11::gil_scoped_acquire lock;
               Py_DECREF(held);
           }) {}
     pybind11::handle get() const { return object_.get(); }
@@ -94,6 +82,11 @@ private:
 inline void heed_signals() {
     if (PyErr_CheckSignals() != 0)
         throw pybind11::error_already_set();
+}
+
+/// Returns a class of placedpar.errors, such as "Error". REQUIRES: the caller holds the lock.
+inline pybind11::object error_named(const char* name) {
+    return pybind11::module_::import("placedpar.errors").attr(name);
 }
 
 /// Returns the type and the text of a Python exception, such as "ValueError: too long". REQUIRES: the caller holds the

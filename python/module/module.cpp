@@ -1,7 +1,7 @@
 #include "python/module/module.hpp"
-#include "python/module/network.hpp"
-#include "python/module/operation.hpp"
+#include "python/module/interpreter.hpp"
 #include "python/module/signals.hpp"
+#include "report/manifest.hpp"
 #include "text/user_error.hpp"
 
 /// Makes the part of the package that is in C++. Users call the functions in python/placedpar/, which call this part.
@@ -12,12 +12,12 @@ PYBIND11_MODULE(_core, module) {
         try {
             std::rethrow_exception(thrown);
         } catch (const placedpar::UserError& error) {
-            const pybind11::object type = pybind11::module_::import("placedpar.errors").attr("Error");
-            PyErr_SetString(type.ptr(), error.what());
+            PyErr_SetString(error_named("Error").ptr(), error.what());
         }
     });
     add_operations(module);
     add_networks(module);
+    add_random(module);
     add_searches(module);
     add_studies(module);
     add_identifications(module);

@@ -1,15 +1,16 @@
 #include "python/module/network.hpp"
 #include "python/module/interpreter.hpp"
+#include "python/module/module.hpp"
 
+#include "explore/occam_program.hpp"
 #include "explore/problems.hpp"
 #include "explore/study/measure.hpp"
 #include "explore/time_text.hpp"
+#include "iserver/terminal.hpp"
 #include "netlist/print/print.hpp"
 #include "observe/page/run_page.hpp"
 #include "observe/trace/timeline.hpp"
-#include "occam/configuration/configuration.hpp"
 #include "picture/svg.hpp"
-#include "python/module/body.hpp"
 #include "python/module/given.hpp"
 #include "python/module/signals.hpp"
 #include "report/run_report.hpp"
@@ -37,12 +38,10 @@ py::dict as_dict(const Diagnostic& diagnostic) {
                     "hint"_a = diagnostic.hint, "text"_a = render(diagnostic));
 }
 
-py::object errors_of(const char* name) { return py::module_::import("placedpar.errors").attr(name); }
-
 /// Warns in Python. The warning shows the line of the user's program that read an attribute of a run, such as its
 /// timeline.
 void warn(const std::string& text) {
-    py::module_::import("warnings").attr("warn")(text, errors_of("NetlistWarning"), 3);
+    py::module_::import("warnings").attr("warn")(text, error_named("NetlistWarning"), 3);
 }
 
 [[noreturn]] void refuse(const ReadResult& read) { raise("NetlistError", render(read), as_dicts(read.diagnostics)); }
@@ -170,6 +169,18 @@ void set_places(RunReport& report, const std::map<std::string, std::string>& pla
                 process.where = found->second;
 }
 
+/// Returns a line for each program that ended with an error, and for each of its processes that an error stopped.
+std::string failures_of(const std::vector<ProgramUse>& programs) {
+    std::string text;
+    for (const ProgramUse& program : programs) {
+        if (program.failed)
+            text += program.name + " " + program.state + "\n";
+        for (const ProgramUse::Stop& stop : program.stops)
+            text += stop.process + " stopped at " + stop.place + ": " + stop.error + "\n";
+    }
+    return text;
+}
+
 void add_runs(py::module_& module) {
     py::class_<RunClock, std::shared_ptr<RunClock>>(module, "Clock")
         .def(py::init<>())
@@ -184,6 +195,8 @@ void add_runs(py::module_& module) {
              [](const FinishedRun& run) {
                  return log_csv(std::vector<SeededLog>{{run.options.seed, run.log}});
              })
+        .def_property_readonly("output", [](const FinishedRun& run) { return run.output; })
+        .def("failure_text", [](const FinishedRun& run) { return failures_of(run.report.programs); })
         .def("deadlock_text", [](const FinishedRun& run) {
             return run.report.result.deadlock ? run.report.result.deadlock->text() : "";
         });
@@ -199,7 +212,7 @@ py::list as_dicts(const std::vector<Diagnostic>& diagnostics) {
 }
 
 void raise(const char* error_class, const std::string& text, const py::list& diagnostics) {
-    const py::object error = errors_of(error_class)(text, diagnostics);
+    const py::object error = error_named(error_class)(text, diagnostics);
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
     throw py::error_already_set();
 }
@@ -214,16 +227,6 @@ LoadedNetwork::LoadedNetwork(const LoadSettings& settings)
     if (read.network->processes.empty() && read.network->nodes.empty())
         throw UserError(settings_.file + ": the netlist is empty: it declares no processors and no processes");
     network_ = std::move(*read.network);
-}
-
-Network LoadedNetwork::with(const Overrides& changes) const {
-    Overrides set = changes;
-    set.merge(Overrides(settings_.set));
-    const ProblemRegistry problems = known_problems(0);
-    ReadResult read = parsed_.read(kinds(problems), set);
-    if (!read.network)
-        throw RefusedInput(render(read));
-    return std::move(*read.network);
 }
 
 Catalogue LoadedNetwork::kinds(const ProblemRegistry& problems, SearchObserver* observer) const {
@@ -242,26 +245,33 @@ FinishedRun LoadedNetwork::run(const RunOptions& options, TraceSink* trace) cons
         "placedpar.load(\"" + settings_.file + "\").run(seed=" + std::to_string(options.seed) + ")";
     RunSettings settings{
         .seed = options.seed, .until = options.until, .shuffle = options.shuffle, .trace = trace, .observer = &log};
-    RunReport report = run_unlocked(settings, options);
+    std::string output;
+    Network network = network_;
+    network.host.terminal = [&] {
+        return std::make_shared<iserver::ScriptedTerminal>(options.keys,
+                                                           [&](std::string_view text) { output += text; });
+    };
+    RunReport report = run_unlocked(network, settings, options);
     heed_signals();
     if (report.result.ending == Ending::interrupted) {
         PyErr_SetNone(PyExc_KeyboardInterrupt);
         throw py::error_already_set();
     }
     Manifest manifest{command, options.seed, settings_.set, settings_.read, options.until, options.shuffle};
-    return {std::move(report), std::move(log), std::move(manifest), options};
+    return {std::move(report), std::move(log), std::move(manifest), options, std::move(output)};
 }
 
-RunReport LoadedNetwork::run_unlocked(const RunSettings& settings, const RunOptions& options) const {
+RunReport LoadedNetwork::run_unlocked(const Network& network, const RunSettings& settings,
+                                      const RunOptions& options) const {
     Interpreter interpreter;
     interpreter.clock = options.clock.get();
-    InterruptedByKeyboard interruption(options.heeds_signals);
+    InterruptedByKeyboard interruption;
     RunSettings interruptible = settings;
     interruptible.interruption = &interruption;
     try {
         const py::gil_scoped_release unlocked;
         const ProblemRegistry problems = known_problems(options.seed);
-        RunReport report = run_netlist(network_, kinds(problems, settings.observer), interruptible);
+        RunReport report = run_netlist(network, kinds(problems, settings.observer), interruptible);
         set_places(report, interpreter.places);
         return report;
     } catch (const std::exception& error) {
@@ -281,14 +291,15 @@ void add_networks(py::module_& module) {
             read.include_folders.assign(include.begin(), include.end());
             read.faults = faults;
             read.programs = use;
-            read.make_netlist = occam::netlist_of_configuration;
+            read.make_netlist = netlist_maker({});
             return std::make_shared<LoadedNetwork>(
                 LoadSettings{std::move(file), std::move(text), is_file, set, std::move(read), std::move(kinds)});
         }))
         .def("run",
              [](const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
-                std::optional<std::uint64_t> shuffle, bool heeds_signals, std::shared_ptr<RunClock> clock) {
-                 return network.run({seed, limit_of_run(until_ps), shuffle, heeds_signals, std::move(clock)});
+                std::optional<std::uint64_t> shuffle, std::shared_ptr<RunClock> clock,
+                Given<std::string, "keys"> keys) {
+                 return network.run({seed, limit_of_run(until_ps), shuffle, std::move(clock), keys});
              })
         .def("report_json", json_of)
         .def("report_text", [](const LoadedNetwork& network,
@@ -297,7 +308,11 @@ void add_networks(py::module_& module) {
         .def("page", page_of)
         .def("svg", [](const LoadedNetwork& network) { return print_svg(network.network()); })
         .def("software_svg", [](const LoadedNetwork& network) { return print_software_svg(network.network()); })
-        .def("cfs", [](const LoadedNetwork& network) { return print_cfs(network.network()); })
+        .def("cfs",
+             [](const LoadedNetwork& network) {
+                 require_netlist(network.settings().file);
+                 return print_cfs(network.network());
+             })
         .def_property_readonly("warnings", [](const LoadedNetwork& network) { return as_dicts(network.warnings()); })
         .def("figures", figures_in)
         .def_property_readonly("path", [](const LoadedNetwork& network) { return network.network().source_path; })

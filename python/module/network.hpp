@@ -30,8 +30,8 @@ struct RunOptions {
     std::uint64_t seed = 1;
     Time until = Time::max();
     std::optional<std::uint64_t> shuffle = {};
-    bool heeds_signals = false;           ///< the caller is Python's main thread
     std::shared_ptr<RunClock> clock = {}; ///< null if no thread reads the time during the run
+    std::string keys = "";                ///< keys that are pressed for programs with a host
 };
 
 /// Returns the time limit of a run; no value means no limit.
@@ -43,9 +43,10 @@ struct FinishedRun {
     GenerationLog log;
     Manifest manifest;
     RunOptions options;
+    std::string output; ///< text that programs with a host wrote to the screen
 };
 
-/// A netlist that has been read, with its kinds in Python.
+/// A netlist, a configuration or a program in occam that has been read, with its kinds in Python.
 class LoadedNetwork {
 public:
     /// Throws a NetlistError of Python with all diagnostics.
@@ -57,16 +58,13 @@ public:
     /// Returns the warnings about the netlist.
     const std::vector<Diagnostic>& warnings() const { return warnings_; }
     bool has_own_kinds() const { return !kinds_.empty(); }
-    /// Returns the network with changed settings, without printing warnings. Throws RefusedInput if the changed network
-    /// has errors.
-    Network with(const Overrides&) const;
     Catalogue kinds(const ProblemRegistry&, SearchObserver* = nullptr) const;
 
     /// Runs the network without Python's lock. Rethrows the first exception of a process in Python.
     FinishedRun run(const RunOptions&, TraceSink* = nullptr) const;
 
 private:
-    RunReport run_unlocked(const RunSettings&, const RunOptions&) const;
+    RunReport run_unlocked(const Network&, const RunSettings&, const RunOptions&) const;
 
     LoadSettings settings_;
     ParsedNetlist parsed_;
@@ -75,12 +73,13 @@ private:
     Network network_;
 };
 
+/// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds Python's global lock. Throws
+/// UserError if the class does not describe a kind.
+ProcessKind kind_of(pybind11::handle process_class);
 /// Returns a dictionary for each error and warning. REQUIRES: the caller holds Python's global lock.
 pybind11::list as_dicts(const std::vector<Diagnostic>&);
 /// Raises an exception of the class `error_class` of placedpar.errors, with this text and these diagnostics. REQUIRES:
 /// the caller holds Python's global lock.
 [[noreturn]] void raise(const char* error_class, const std::string& text, const pybind11::list& diagnostics);
-
-void add_networks(pybind11::module_&);
 
 } // namespace placedpar::python

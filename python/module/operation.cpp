@@ -1,8 +1,8 @@
 #include "python/module/operation.hpp"
+#include "python/module/module.hpp"
 
 #include "netlist/kinds/packet.hpp"
 #include "python/module/given.hpp"
-#include "python/module/random.hpp"
 #include "runtime/kernel.hpp"
 #include "runtime/timer.hpp"
 
@@ -63,7 +63,6 @@ void add_messages(pybind11::module_& module) {
 void add_operations(pybind11::module_& module) {
     add_messages(module);
     add_clock(module);
-    add_random(module);
     pybind11::class_<Operation>(module, "Operation");
     module.def("compute", [](Given<std::int64_t, "cycles"> cycles, Given<std::int64_t, "words_outside"> words) {
         return Operation{.kind = Kind::compute, .number = cycles, .words_outside = words};

@@ -20,7 +20,4 @@ struct Operation {
     pybind11::object value = {};    ///< message of an output; tuple of guards (ALT) or components (PAR)
 };
 
-/// Declares the operations in the module. See python/placedpar/process.py for their use.
-void add_operations(pybind11::module_&);
-
 } // namespace placedpar::python

@@ -1,4 +1,5 @@
 #include "python/module/random.hpp"
+#include "python/module/module.hpp"
 
 #include "python/module/given.hpp"
 #include "text/user_error.hpp"

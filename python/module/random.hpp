@@ -39,7 +39,4 @@ private:
     std::shared_ptr<PythonRandom> lent_;
 };
 
-/// Declares random streams in the module.
-void add_random(pybind11::module_&);
-
 } // namespace placedpar::python

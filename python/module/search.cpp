@@ -54,9 +54,23 @@ struct SearchOptions {
     std::string coding;
     py::dict settings;
     std::string checkpoint; ///< a file; "" for none
-    std::string problem;    ///< the problem's description in a checkpoint
     py::object progress;
 };
+
+/// A problem that the Python program names, or defines by a function.
+struct GivenProblem {
+    std::string text; ///< the problem's description in a checkpoint
+    std::shared_ptr<const SearchProblem> problem;
+    std::optional<RecordedProblem> recorded; ///< no value if the problem is a function
+};
+
+GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
+    if (!py::isinstance<py::str>(given.function))
+        return {given.text(), given.problem(), std::nullopt};
+    const auto name = given.function.cast<std::string>();
+    const RecordedProblem recorded = known_problems(seed).find(name);
+    return {name, recorded.problem(), recorded};
+}
 
 /// Pauses between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
 class Pauses {
@@ -102,25 +116,26 @@ private:
 };
 
 /// Runs the search on the problem's record, or for `generations` generations if the problem has no record.
-IslandsResult run(const SearchProblem& problem, const RecordedProblem* recorded, std::size_t generations,
-                  const IslandsSettings& settings, std::uint64_t seed, SearchObserver& observer,
+IslandsResult run(const SearchProblem& problem, const std::optional<RecordedProblem>& recorded,
+                  const SearchOptions& options, const IslandsSettings& settings, SearchObserver& observer,
                   Checkpoints* checkpoints) {
-    auto streams = island_streams(seed, settings.islands.size());
+    auto streams = island_streams(options.seed, settings.islands.size());
     if (recorded && !problem.objective())
         return run_islands(problem, recorded->record(), settings, std::move(streams), &observer, checkpoints);
-    return run_islands(problem, generations, settings, std::move(streams), &observer, checkpoints);
+    return run_islands(problem, options.generations, settings, std::move(streams), &observer, checkpoints);
 }
 
 /// Returns the checkpoint file of the search; null if the options name none.
-std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const SearchProblem& problem,
-                                              const std::vector<std::string>& names, std::size_t population) {
+std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const std::string& text,
+                                              const SearchProblem& problem, const std::vector<std::string>& names,
+                                              std::size_t population) {
     constexpr std::uint64_t every = 10; // generations between two checkpoints, as in `placedpar run`
     if (options.checkpoint.empty())
         return nullptr;
     std::vector<KeptSearch> searches;
     for (const std::string& name : names)
         searches.push_back({name,
-                            {{"problem", options.problem},
+                            {{"problem", text},
                              {"bits", std::to_string(problem.bits())},
                              {"coding", options.coding},
                              {"population", std::to_string(population)}}});
@@ -137,18 +152,17 @@ IslandsSettings settings_of(const SearchProblem& problem, const SearchOptions& o
     return settings;
 }
 
-py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, const SearchOptions& options) {
-    const auto problem = coded.coded(Coding::named(options.coding));
+py::dict search(const GivenProblem& given, const SearchOptions& options) {
+    const auto problem = given.problem->coded(Coding::named(options.coding));
     const auto failure = std::make_shared<SharedObject>();
     const IslandsSettings settings = settings_of(*problem, options, failure);
     HeedfulLog observer(options);
-    const auto checkpoint =
-        checkpoint_of(options, *problem, island_names(options.islands), settings.islands.front().population);
+    const auto checkpoint = checkpoint_of(options, given.text, *problem, island_names(options.islands),
+                                          settings.islands.front().population);
     if (checkpoint)
         observer.log.continue_from(*checkpoint);
     try {
-        const IslandsResult result =
-            run(*problem, recorded, options.generations, settings, options.seed, observer, checkpoint.get());
+        const IslandsResult result = run(*problem, given.recorded, options, settings, observer, checkpoint.get());
         py::list islands;
         for (const SearchResult& each : result.islands)
             islands.append(dict_of(*problem, each));
@@ -165,9 +179,10 @@ py::dict search(const SearchProblem& coded, const RecordedProblem* recorded, con
 }
 
 /// Returns the front as lists: `x` and `values` with a row for each individual.
-py::dict search_front(const SearchProblem& coded, std::size_t population, const SearchOptions& options) {
-    const auto problem = coded.coded(Coding::named(options.coding));
-    const auto checkpoint = checkpoint_of(options, *problem, {"front"}, population);
+py::dict search_front(const GivenProblem& given, const SearchOptions& options) {
+    const auto problem = given.problem->coded(Coding::named(options.coding));
+    const auto population = python::given<std::size_t>(options.settings["population"], "population");
+    const auto checkpoint = checkpoint_of(options, given.text, *problem, {"front"}, population);
     Pauses pauses(options.progress, options.generations);
     const FrontResult result = placedpar::search_front(
         *problem, options.generations, front_settings(problem->representation(), 2 * population),
@@ -186,21 +201,6 @@ py::dict search_front(const SearchProblem& coded, std::size_t population, const 
     found["least_violation"] = result.least_violation;
     found["evaluations"] = result.evaluations;
     return found;
-}
-
-/// A problem that the Python program names, or defines by a function.
-struct GivenProblem {
-    std::string text; ///< the problem's description in a checkpoint
-    std::shared_ptr<const SearchProblem> problem;
-    std::optional<RecordedProblem> recorded; ///< no value if the problem is a function
-};
-
-GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
-    if (!py::isinstance<py::str>(given.function))
-        return {given.text(), given.problem(), std::nullopt};
-    const auto name = given.function.cast<std::string>();
-    const RecordedProblem recorded = known_problems(seed).find(name);
-    return {name, recorded.problem(), recorded};
 }
 
 /// The runs with one setting: the setting's name, the first generation, and for each run its values from this
@@ -222,24 +222,18 @@ std::string convergence_svg(const std::string& title, const std::vector<RunsOfSe
 } // namespace
 
 void add_searches(py::module_& module) {
-    using Bits = Given<std::vector<std::size_t>, "bits">;
-    module.def("search", [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
-                            Given<std::size_t, "islands"> islands, Given<std::size_t, "generations"> generations,
-                            std::uint64_t seed, const Given<std::string, "coding">& coding, py::dict settings,
-                            std::string checkpoint, py::object progress) {
-        const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
-        return search(*given.problem, given.recorded ? &*given.recorded : nullptr,
-                      {islands, generations, seed, coding, settings, checkpoint, given.text, progress});
-    });
-    module.def("search_front",
-               [](py::object problem, Bounds bounds, const Bits& bits, Given<bool, "maximise"> maximises,
-                  Given<std::size_t, "generations"> generations, Given<std::size_t, "population"> population,
-                  std::uint64_t seed, const Given<std::string, "coding">& coding, std::string checkpoint,
-                  py::object progress) {
-                   const GivenProblem given = given_problem({problem, bounds, bits, maximises}, seed);
-                   return search_front(*given.problem, population,
-                                       {1, generations, seed, coding, {}, checkpoint, given.text, progress});
-               });
+    const auto add = [&module](const char* name, py::dict (*make)(const GivenProblem&, const SearchOptions&)) {
+        module.def(name, [make](py::object problem, Bounds bounds, Given<std::vector<std::size_t>, "bits"> bits,
+                                Given<bool, "maximise"> maximises, Given<std::size_t, "islands"> islands,
+                                Given<std::size_t, "generations"> generations, std::uint64_t seed,
+                                Given<std::string, "coding"> coding, py::dict settings, std::string checkpoint,
+                                py::object progress) {
+            return make(given_problem({problem, bounds, bits, maximises}, seed),
+                        {islands, generations, seed, coding, settings, checkpoint, progress});
+        });
+    };
+    add("search", search);
+    add("search_front", search_front);
     module.def("convergence_svg", convergence_svg);
 }
 

@@ -46,6 +46,11 @@ LiveRuns& live_runs() {
 
 } // namespace
 
+bool InterruptedByKeyboard::is_main_thread() {
+    const auto threading = pybind11::module_::import("threading");
+    return threading.attr("current_thread")().is(threading.attr("main_thread")());
+}
+
 InterruptedByKeyboard::InterruptedByKeyboard(bool heeds) : heeds_(heeds) {
     {
         const std::lock_guard lock(live_runs().mutex);

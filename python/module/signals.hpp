@@ -13,8 +13,10 @@ namespace placedpar::python {
 /// 2. An object is made and destroyed while its thread holds Python's global lock.
 class InterruptedByKeyboard : public Interruption {
 public:
+    /// Returns whether the caller runs on Python's main thread.
+    static bool is_main_thread();
     /// `heeds`: true if the object reacts to Ctrl-C; must be false outside Python's main thread.
-    explicit InterruptedByKeyboard(bool heeds);
+    explicit InterruptedByKeyboard(bool heeds = is_main_thread());
     ~InterruptedByKeyboard();
     InterruptedByKeyboard(const InterruptedByKeyboard&) = delete;
     InterruptedByKeyboard& operator=(const InterruptedByKeyboard&) = delete;

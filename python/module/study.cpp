@@ -56,9 +56,8 @@ Study study_of(const LoadedNetwork& network, const Axes& axes) {
 
 /// Makes the missing runs without the lock, on `jobs` cores (0: on all). `progress` is None, or a function that
 /// receives the number of runs made so far and the number of runs that were missing.
-void make_runs(const Study& study, StudyResults& results, std::size_t jobs, bool heeds_signals,
-               const py::object& progress) {
-    InterruptedByKeyboard interruption(heeds_signals);
+void make_runs(const Study& study, StudyResults& results, std::size_t jobs, const py::object& progress) {
+    InterruptedByKeyboard interruption;
     const py::gil_scoped_release unlocked;
     StudySweep sweep(study, results);
     sweep.try_measures(interruption);
@@ -99,7 +98,7 @@ py::list rows_of(const Study& study, StudyResults& results) {
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
                const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
                std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,
-               bool heeds_signals, const py::object& progress) {
+               const py::object& progress) {
     Study study = study_of(network, axes);
     study.first_seed = seed;
     study.seeds = seeds;
@@ -111,24 +110,24 @@ py::list sweep(const LoadedNetwork& network, const Axes& axes,
     const StudySource source = source_of(study, network.network());
     const auto results =
         store.empty() ? std::make_unique<StudyResults>(source) : std::make_unique<StudyResults>(store, source);
-    make_runs(study, *results, jobs, heeds_signals, progress);
+    make_runs(study, *results, jobs, progress);
     heed_signals();
     return rows_of(study, *results);
 }
 
 /// Runs the network, measures the effect of changes, and returns the explanation as JSON and as text.
 py::tuple explain(const LoadedNetwork& network, std::uint64_t seed, std::optional<std::int64_t> until_ps,
-                  bool heeds_signals, const py::object& progress) {
+                  const py::object& progress) {
     if (network.has_own_kinds())
         throw UserError("explain tries changes on several threads, but the processes of this network are in "
                         "Python, which runs one at a time: compare the times of runs with changed settings, such as "
                         "net.changed({\"clock\": \"40M\"}).run(), or sweep(net, clock=[\"20M\", \"40M\"])");
     const Time until = limit_of_run(until_ps);
     CriticalPath path;
-    FinishedRun run = network.run({seed, until, {}, heeds_signals}, &path);
+    FinishedRun run = network.run({seed, until, {}}, &path);
     Explanation explanation = explanation_of(std::move(run.report), path);
     {
-        InterruptedByKeyboard interruption(heeds_signals);
+        InterruptedByKeyboard interruption;
         const py::gil_scoped_release unlocked;
         add_answers(explanation, network.network(),
                     {network.parsed(), network.settings().set, seed, until,

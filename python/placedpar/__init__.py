@@ -9,7 +9,8 @@ pandas and NumPy are used if they are installed. Without pandas, tables are list
 
 from ._core import version as __version__
 from .convergence import convergence
-from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProcessError, RecordError, RecordWarning
+from .errors import (Deadlock, Error, NetlistError, NetlistWarning, ProcessError, ProgramError, RecordError,
+                     RecordWarning, RunError)
 from .identification import Identification, identify
 from .monitor import Monitor
 from .network import Drawing, Network, Page, Run, load

@@ -61,12 +61,18 @@ class ProcessError(Error):
     """A process in Python raised an exception, which is the `__cause__`. The text names the process and the virtual time."""
 
 
-class Deadlock(Error):
-    """A run ended in a deadlock. The text has the wait cycle, and for each process the line of its program at which it waits.
-
-    `run` is the run with its measures up to the deadlock.
-    """
+class RunError(Error):
+    """Base class of the errors that a run can end with. `run` is the run, with its measures and its output up to the error."""
 
     def __init__(self, text: str, run: Any) -> None:
         super().__init__(text.rstrip("\n"))
         self.run = run
+
+
+class Deadlock(RunError):
+    """A run ended in a deadlock. The text has the wait cycle, and for each process the line of its program at which it waits."""
+
+
+class ProgramError(RunError):
+    """A program in occam stopped with an error, or told its host that it failed. The text has the error and the line of
+    the program."""

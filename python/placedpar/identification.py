@@ -9,7 +9,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
 from .errors import Error, RecordError, RecordWarning
-from .network import FilePath, is_main_thread, seed_of
+from .network import FilePath, seed_of
 from .tables import table
 
 
@@ -79,7 +79,7 @@ def identify(record: Any, *, links: Union[str, Sequence[str]] = "", configuratio
         _set(settings, name, value)
     text = record.to_csv(index=False, na_rep="nan", lineterminator="\n")  # keeps all digits of each number
     try:
-        report, printed, faults, of_machine = _core.identify(text, settings, is_main_thread())
+        report, printed, faults, of_machine = _core.identify(text, settings)
     except RecordError as wrong:
         raise RecordError("", _placed(wrong.diagnostics, record, text)) from None
     except Error as wrong:

@@ -5,7 +5,6 @@ import html
 import json
 import numbers
 import os
-import threading
 import warnings
 from datetime import timedelta
 from pathlib import Path
@@ -13,7 +12,7 @@ from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
 from .build import Statements
-from .errors import Deadlock, Error, NetlistError, NetlistWarning, caller
+from .errors import Deadlock, Error, NetlistError, NetlistWarning, ProgramError, caller
 from .progress import ProgressOption, progress_of, watched
 from .tables import table, table_of_columns, table_of_csv
 
@@ -49,11 +48,6 @@ def require_network(value: Any) -> None:
     """Raises TypeError if the value is not a Network."""
     if not isinstance(value, Network):
         raise TypeError(f"expected a network, such as pp.load(\"ring.cfs\"), not {value!r}")
-
-
-def is_main_thread() -> bool:
-    """Returns whether Ctrl-C interrupts this thread."""
-    return threading.current_thread() is threading.main_thread()
 
 
 def setting(value: Any) -> str:
@@ -122,6 +116,11 @@ class Run:
         return self._core.events
 
     @property
+    def output(self) -> str:
+        """The text that programs in occam wrote to the screen of their host; "" if there was none."""
+        return self._core.output
+
+    @property
     def report(self) -> dict[str, Any]:
         """The whole report as a dictionary, as `placedpar run --json` writes it. Times are in picoseconds."""
         if self._report is None:
@@ -177,7 +176,7 @@ class Run:
 
 
 class Network(Statements):
-    """A network of processors and processes: load() reads a network from a netlist, and calls add parts to an empty Network().
+    """A network of processors and processes: load() reads a network from a file, and calls add parts to an empty Network().
 
         net = pp.Network()
         a = net.processor("T800", clock="20M")
@@ -221,7 +220,7 @@ class Network(Statements):
         return other
 
     def run(self, seed: int = 1, until: Optional[Time] = None, shuffle: Optional[int] = None,
-            progress: ProgressOption = None) -> Run:
+            progress: ProgressOption = None, keys: str = "") -> Run:
         """Runs the network in virtual time and returns a Run. Other Python threads continue meanwhile; Ctrl-C ends the run.
 
         seed: seed of all random numbers.
@@ -231,18 +230,21 @@ class Network(Statements):
         (None if there is none); False shows no line of progress on a terminal or in a notebook. The virtual time is the
         time of the latest generation of a search, or of the latest step of a process in Python. A run without searches
         and without processes in Python reports only its end.
+        keys: the keys that are pressed for a program in occam; "\\r" is the return key.
 
-        Raises Deadlock, ProcessError, and Error for a run that cannot be made.
+        Raises Deadlock, ProgramError, ProcessError, and Error for a run that cannot be made.
         """
         order = None if shuffle is None else seed_of(shuffle, "shuffle")
         end_ps, clock = limit(until), _core.Clock()
         end = None if end_ps is None else end_ps / 1e12
         with progress_of(progress, "{} of {} s of virtual time") as tell:
             with watched(tell, lambda: clock.picoseconds / 1e12, end):
-                core = self._core.run(seed_of(seed), end_ps, order, is_main_thread(), clock if tell else None)
+                core = self._core.run(seed_of(seed), end_ps, order, clock if tell else None, keys)
             if tell:
                 tell(core.time_ps / 1e12, end)
         run = Run(self._core, core)
+        if core.failure_text():
+            raise ProgramError(core.failure_text(), run)
         if core.outcome == "deadlock":
             raise Deadlock(core.deadlock_text(), run)
         return run
@@ -267,12 +269,14 @@ class Network(Statements):
 def load(netlist: FilePath, kinds: Sequence[type] = (), settings: Optional[Mapping[str, Any]] = None,
          include: Sequence[FilePath] = (), faults: Sequence[str] = (), use: Optional[Mapping[str, str]] = None,
          **more_settings: Any) -> Network:
-    """Reads a netlist and returns a Network.
+    """Reads a netlist, a configuration (.pgm) or a program in occam (.occ), and returns a Network.
 
-    netlist: the path of a file, or the text of a netlist (a text has a semicolon or several lines).
+    netlist: the path of a file, or the text of a netlist (a text has a semicolon or several lines). A program runs on
+    one T800 with 2 Mbyte, as in `placedpar run`.
     kinds: classes derived from Process, which the netlist names by their `kind`.
     settings, and further keyword arguments: values, attributes and parameters that replace the values in the netlist,
-    such as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}.
+    such as slaves=4, linkspeed="10M", settings={"t[0].clock": "20M"}. For a configuration or a program, they replace the
+    values of VALs, too, such as n=7.
     include: folders that are searched for included files.
     faults: faults, written as in a netlist.
     use: process kinds that replace programs, by the programs' names in the netlist, such as {"sim.lku": "ga.master"}.

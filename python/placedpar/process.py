@@ -109,8 +109,7 @@ class Process:
     kind: str = ""
     name: str
     seed: int
-    _measure_number: Any
-    _measure_text: Any
+    _measure: Any
 
     def __init_subclass__(cls, **arguments: Any) -> None:
         super().__init_subclass__(**arguments)
@@ -123,10 +122,7 @@ class Process:
 
     def measure(self, name: str, value: Union[float, str], unit: str = "") -> None:
         """Reports a number, with its unit, or a text at the end of the run."""
-        if isinstance(value, str):
-            self._measure_text(name, value)
-        else:
-            self._measure_number(name, float(value), unit)
+        self._measure(name, value if isinstance(value, str) else float(value), unit)
 
     def random(self, name: Optional[str] = None) -> RandomStream:
         """Returns the random stream of this name, by default the process's name. It has uniform(), normal(), below(n)
@@ -143,10 +139,6 @@ class Process:
     @classmethod
     def _ports(cls) -> list[_Port]:
         return [value for value in cls._attributes().values() if isinstance(value, _Port)]
-
-    @classmethod
-    def _arrays(cls) -> set[str]:
-        return {port.name for port in cls._ports() if port.is_array}
 
     @classmethod
     def _parameters(cls) -> list[Parameter]:

@@ -151,5 +151,5 @@ def search_front(problem: Problem, bounds: Optional[Sequence[tuple[float, float]
     if population in (0, 1):
         raise Error(f"a population of {population}, expected at least 2: individuals are bred in pairs")
     with progress_of(progress, "{} of {} generations") as tell:
-        return Front(_core.search_front(function, ranges, fields, maximise, generations, population, seed_of(seed),
-                                        coding, os.fspath(checkpoint or ""), tell))
+        return Front(_core.search_front(function, ranges, fields, maximise, 1, generations, seed_of(seed), coding,
+                                        {"population": population}, os.fspath(checkpoint or ""), tell))

@@ -6,8 +6,8 @@ import os
 from typing import Any, Mapping, Optional, Sequence, Union
 
 from . import _core
-from .errors import Deadlock, Error, NetlistError
-from .network import FilePath, Network, Time, is_main_thread, limit, require_network, seed_of, setting
+from .errors import Error, NetlistError, RunError
+from .network import FilePath, Network, Time, limit, require_network, seed_of, setting
 from .progress import ProgressOption, Told, progress_of
 from .tables import number_in, table
 
@@ -41,7 +41,7 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
     with progress_of(progress, "{} of {} runs") as tell:
         if network._file and not network._kinds:
             rows = _core.sweep(network._core, axes, measures, seed_of(seed), seeds, limit(until),
-                               "" if store is None else os.fspath(store), jobs, is_main_thread(), tell)
+                               "" if store is None else os.fspath(store), jobs, tell)
         elif store is None and seeds > 0:
             rows = _runs_here(network, axes, measures, range(seed_of(seed), seed + seeds), until, tell)
         else:
@@ -69,8 +69,8 @@ def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], meas
 def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until: Optional[Time]) -> dict[str, Any]:
     try:
         run = network.run(seed, until, progress=False)
-    except Deadlock as stuck:
-        run = stuck.run
+    except RunError as ended:
+        run = ended.run
     except NetlistError:
         return {"outcome": "refused", **dict.fromkeys(measures)}
     return {"outcome": run.outcome, **dict(zip(measures, network._core.figures(run._core, measures)))}
@@ -107,4 +107,4 @@ def explain(network: Network, seed: int = 1, until: Optional[Time] = None,
     """
     require_network(network)
     with progress_of(progress, "{} of {} changes") as tell:
-        return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), is_main_thread(), tell))
+        return Explanation(*_core.explain(network._core, seed_of(seed), limit(until), tell))

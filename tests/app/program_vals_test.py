@@ -80,6 +80,13 @@ class Vals(unittest.TestCase):
         self.assertLess(float(rows[0][1]), float(rows[1][1]))
         self.assertRegex(self.ask("explain"), r"root +[\d.]+ %")
 
+    def test_a_warning_is_printed_once(self):
+        (self.folder / "vals.occ").write_text(TEXT.replace("  [n]INT x:", "  INT unused:\n  [n]INT x:"), encoding="ascii")
+        for command in (("run",), ("run", "--set", "n=2"), ("explain",)):
+            with self.subTest(command=command):
+                done = placedpar(command[0], "vals.occ", *command[1:], folder=self.folder)
+                self.assertEqual(done.stderr.count('warning: the variable "unused" is never used'), 1, done.stderr)
+
     def test_a_program_is_not_shown_as_a_netlist_that_could_not_be_read(self):
         self.assertIn("compile it: placedpar compile vals.occ", self.ask("show", status=1))
         self.assertTrue(self.ask("show", "--format", "svg").startswith("<svg"))

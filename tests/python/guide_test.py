@@ -28,6 +28,8 @@ class Guide(unittest.TestCase):
             exec(compile(code, "python.md", "exec"), names)
         self.assertRegex(printed.getvalue(), r"ends +total +6\n")
         self.assertIn("what holds it back", printed.getvalue())
+        self.assertIn("philosopher 0 eats\n", printed.getvalue())
+        self.assertEqual(list(names["dinners"]["outcome"]), ["completed"] * 4 + ["deadlock"])
         self.assertEqual(len(names["table"]), 3 * 2 * 2)
         self.assertEqual(names["found"].links["compliance"][0].round(4), 0.0083)
 

@@ -2,6 +2,7 @@
 
 #include "experiments/kit/bootstrap.hpp"
 #include "experiments/kit/seed_runs.hpp"
+#include "identification/on_line/diagnosis_state.hpp"
 #include "identification/verdict/way_matrices.hpp"
 #include "text/interval.hpp"
 
