@@ -4,8 +4,11 @@ import json
 import os
 import pathlib
 import queue
+import random
 import subprocess
+import tempfile
 import threading
+import unittest
 
 from program import PROGRAM
 
@@ -160,3 +163,47 @@ class LanguageClient:
         self.process.stdin.close()
         self.process.stdout.close()
         return code
+
+
+class LanguageTest(unittest.TestCase):
+    """Has an editor and a folder, and asks about the places of texts."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name).resolve()
+        self.client = LanguageClient()
+        self.addCleanup(self.client.end)
+
+    def open(self, name, text, language="placedpar-netlist"):
+        path = self.folder / name
+        path.write_text(text)
+        return self.client.open(path, text, language)
+
+    def underlined(self, uri):
+        return [self.client.underlined(uri, each) for each in self.client.checked(uri)]
+
+    def labels(self, uri, words, behind=0):
+        answer = self.client.request("textDocument/completion", self.client.at(uri, words, behind))
+        return [item["label"] for item in answer["items"]]
+
+    def hover(self, uri, words, behind=0):
+        answer = self.client.request("textDocument/hover", self.client.at(uri, words, behind))
+        return answer["contents"]["value"] if answer else ""
+
+    def definition(self, uri, words, behind=0):
+        return self.client.request("textDocument/definition", self.client.at(uri, words, behind))
+
+    def survives(self, uri, text, seed):
+        """Replaces the text by random parts of a text, and asks about random places of them."""
+        rng = random.Random(seed)
+        for _ in range(40):
+            some = [line[:rng.randint(0, len(line))] if rng.random() < 0.1 else line
+                    for line in text.split("\n") if rng.random() > 0.05]
+            self.client.edit(uri, (0, len(self.client.texts[uri]), "\n".join(some)))
+            for _ in range(5):
+                now = self.client.texts[uri]
+                place = {"textDocument": {"uri": uri}, "position": position(now, rng.randint(0, len(now)))}
+                for method in ("hover", "completion", "definition"):
+                    self.client.request("textDocument/" + method, place)
+        self.client.checked(uri)

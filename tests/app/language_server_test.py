@@ -1,14 +1,12 @@
 """Tests placedpar language-server as an editor uses it: texts that are edited, questions, and wrong messages."""
 
 import json
-import pathlib
 import random
 import re
-import tempfile
 import time
 import unittest
 
-from language_client import LanguageClient, position
+from language_client import LanguageClient, LanguageTest, position
 from program import EXAMPLES, placedpar
 
 NETLIST = """/* \u00e9\U0001f600 */ val n 3; /* number */
@@ -44,33 +42,7 @@ PROC main (CHAN OF SP fs, ts)
 """
 
 
-class LanguageServer(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name).resolve()
-        self.client = LanguageClient()
-        self.addCleanup(self.client.end)
-
-    def open(self, name, text, language="placedpar-netlist"):
-        path = self.folder / name
-        path.write_text(text)
-        return self.client.open(path, text, language)
-
-    def underlined(self, uri):
-        return [self.client.underlined(uri, each) for each in self.client.checked(uri)]
-
-    def labels(self, uri, words, behind=0):
-        answer = self.client.request("textDocument/completion", self.client.at(uri, words, behind))
-        return [item["label"] for item in answer["items"]]
-
-    def hover(self, uri, words, behind=0):
-        answer = self.client.request("textDocument/hover", self.client.at(uri, words, behind))
-        return answer["contents"]["value"] if answer else ""
-
-    def definition(self, uri, words, behind=0):
-        return self.client.request("textDocument/definition", self.client.at(uri, words, behind))
-
+class LanguageServer(LanguageTest):
     # Diagnostics
 
     def test_an_error_is_underlined_as_one_types_and_goes(self):
