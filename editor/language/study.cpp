@@ -90,12 +90,17 @@ const NamesByText& names_of(StudyPart part, const StudyNames& names) {
     return part == StudyPart::settings ? names.settings : part == StudyPart::programs ? names.programs : none;
 }
 
-/// Returns the names that an expression can use. In the expressions of tables, `T_exe` is short for `master.T_exe`.
-NamesByText names_in_expressions(const StudyNames& names) {
-    NamesByText all = names.settings;
-    all.insert(names.measures.begin(), names.measures.end());
-    for (const auto& [name, meaning] : names.measures)
-        all.emplace(last_part(name), meaning);
+/// Returns the names that a value can have. An expression has no names with dots: `trials` stands for `master.trials`.
+NamesByText names_in(StudyWords words, const StudyNames& names) {
+    NamesByText all;
+    if (words == StudyWords::conditions || words == StudyWords::figures)
+        for (const auto& [name, meaning] : names.settings)
+            all.emplace(last_part(name), meaning);
+    if (words == StudyWords::measures || words == StudyWords::figures)
+        all.insert(names.measures.begin(), names.measures.end());
+    if (words == StudyWords::figures)
+        for (const auto& [name, meaning] : names.measures)
+            all.emplace(last_part(name), meaning);
     return all;
 }
 
@@ -109,18 +114,11 @@ const StudyWord* word_at(const StudyText& text, const Location& at) {
 /// Returns the meaning of a name of the netlist at a place; nothing if there is no such name.
 std::optional<StudyName> meaning_of(const StudyWord& word, const StudyPlace& place, const StudyNames& names,
                                     std::size_t offset) {
-    NamesByText known;
-    std::string name = place.name + word.text;
-    if (word.is_key) {
-        known = names_of(place.part, names);
-    } else if (place.key && place.key->words == StudyWords::measures) {
-        known = names.measures;
-        name = name_around(word.text, offset - word.first);
-    } else if (place.key && place.key->words == StudyWords::figures) {
-        known = names_in_expressions(names);
-        name = name_around(word.text, offset - word.first);
-    }
-    const auto found = known.find(without_subscripts(name));
+    if (!word.is_key && !place.key)
+        return std::nullopt;
+    const NamesByText known = word.is_key ? names_of(place.part, names) : names_in(place.key->words, names);
+    const auto found = known.find(word.is_key ? without_subscripts(place.name + word.text)
+                                              : name_around(word.text, offset - word.first));
     return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -174,12 +172,8 @@ private:
         else if (const auto set = names_.settings.find(place.name.substr(0, place.name.rfind('.')));
                  place.part == StudyPart::settings && set != names_.settings.end())
             add_texts(set->second.choices);
-        else if (place.key->words == StudyWords::measures)
-            add_names(names_.measures, typed);
-        else if (place.key->words == StudyWords::figures)
-            add_names(names_in_expressions(names_), typed);
-        else
-            add_texts(words_of(place.key->words));
+        add_names(names_in(place.key->words, names_), typed);
+        add_texts(words_of(place.key->words));
     }
 
     std::vector<std::string> words_of(StudyWords words) const {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "text/source.hpp"
-
 #include <cstddef>
 #include <string>
 #include <string_view>

@@ -207,7 +207,7 @@ std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures&
 
 void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
     abouts_["time"] = "length of the run in ms";
-    abouts_["processors"] = "number of processors that the run uses";
+    abouts_["processors"] = "number of processors in the machine";
     abouts_["links"] = "number of wires in the machine";
     for (const Node& node : network.nodes)
         abouts_[name_of_array(node.name + ".busy")] = "load of the processor in %";

@@ -166,7 +166,7 @@ private:
             {{.name = "where",
               .form = "an expression over settings",
               .about = "condition; only combinations for which it holds are run",
-              .words = StudyWords::figures},
+              .words = StudyWords::conditions},
              [&](const toml::node& node) { attempt_at(node, [&] { product.where = StudyExpression(text(node)); }); }}};
     }
 

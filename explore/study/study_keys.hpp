@@ -13,8 +13,9 @@ namespace placedpar {
 /// with prices, and programs of the netlist.
 enum class StudyPart : std::uint8_t { whole, product, search, table, column, row, settings, prices, programs };
 
-/// What the words of a value are, as far as they can be listed.
-enum class StudyWords : std::uint8_t { any, truths, measures, figures, judges, origins, tables };
+/// What the words of a value are, as far as they can be listed. A condition has names of settings; a figure also has
+/// names of measures.
+enum class StudyWords : std::uint8_t { any, truths, measures, conditions, figures, judges, origins, tables };
 
 /// Describes a key of a study's file.
 struct StudyKey {

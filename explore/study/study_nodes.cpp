@@ -76,7 +76,7 @@ StudyNodes::Entries StudyNodes::of_variant(StudyVariant& variant) {
 StudyNodes::Entries StudyNodes::of_row(StudyRow& row, const std::vector<StudyVariant>& columns,
                                        const std::vector<std::string>& measures) {
     StudyKey bound{.form = "a number or an expression over settings, or a list by column",
-                   .words = StudyWords::figures};
+                   .words = StudyWords::conditions};
     const auto of_columns = [&](std::string_view name, std::string_view about, auto& target, auto read) {
         bound.name = name;
         bound.about = about;

@@ -8,6 +8,7 @@ import random
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 from program import PROGRAM
@@ -193,6 +194,22 @@ class LanguageTest(unittest.TestCase):
 
     def definition(self, uri, words, behind=0):
         return self.client.request("textDocument/definition", self.client.at(uri, words, behind))
+
+    def seconds_an_edit(self, uri, digit):
+        """Returns the processor time of an edit of the last character of `digit`, which is a digit."""
+        self.assertEqual(self.client.checked(uri), [])
+        times, begun = [], self.client.processor_seconds()
+        for number in range(10):
+            sent = time.monotonic()
+            where = self.client.texts[uri].index(digit) + len(digit) - 1
+            self.client.edit(uri, (where, where + 1, str(number)))
+            self.assertEqual(self.client.checked(uri), [])
+            times.append(time.monotonic() - sent)
+            digit = digit[:-1] + str(number)
+        processor = (self.client.processor_seconds() - begun) / len(times)
+        print(f"{uri.rsplit('/')[-1]}: an edit in {self.client.texts[uri].count(chr(10))} lines takes "
+              f"{1000 * sorted(times)[5]:.0f} ms, {1000 * processor:.0f} ms of a processor", flush=True)
+        return processor
 
     def survives(self, uri, text, seed):
         """Replaces the text by random parts of a text, and asks about random places of them."""

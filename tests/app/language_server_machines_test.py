@@ -154,6 +154,19 @@ class Configurations(LanguageTest):
         self.assertEqual([s["name"] for s in symbols], ["n", "root.node", "worker", "p", "host.arc", "inner", "screen",
                                                         "NETWORK", "MAPPING", "CONFIG"])
 
+    def test_ten_thousand_lines(self):
+        """An edit is checked within 100 ms of a processor. A question takes less than a second."""
+        vals = "".join(f"VAL v{i} IS {i}:\n" for i in range(9_000))
+        nodes = "".join(f"    SET more[{i}] (type, memsize := \"T800\", 65536)\n" for i in range(500))
+        wires = "".join(f"    CONNECT more[{i}][link][0] TO more[{i + 1}][link][1]\n" for i in range(499))
+        text = vals + CONFIGURATION.replace("NODE p:", "NODE p:\n[500]NODE more:").replace("  DO\n", "  DO\n" + nodes + wires, 1)
+        uri = self.open("long.pgm", text, "occam")
+        self.assertLess(self.seconds_an_edit(uri, "VAL v5000 IS 5000"), 0.1)
+        begun = self.client.processor_seconds()
+        self.assertIn("and 492 more", self.hover(uri, "more[0][link]"))
+        self.assertIn("v8999", self.labels(uri, "slave (up)"))
+        self.assertLess(self.client.processor_seconds() - begun, 1)
+
     def test_wrong_input_is_survived(self):
         self.survives(self.uri, CONFIGURATION, 5)
 
@@ -290,6 +303,15 @@ class Studies(LanguageTest):
         (self.folder / "a.pgm").write_text(CONFIGURATION)
         uri = self.open("c.toml", 'netlist = "a.pgm"\n[set]\n\n', "toml")
         self.assertIn("memory", self.labels(uri, "\n\n", 1))
+
+    def test_ten_thousand_lines(self):
+        """An edit is checked within 100 ms of a processor. A question takes less than a second."""
+        uri = self.open("long.toml", STUDY + "".join(f"[[also]]\nset = {{slaves = 2, count = {i}}}\n" for i in range(5_000)), "toml")
+        self.assertLess(self.seconds_an_edit(uri, "count = 4000"), 0.1)
+        begun = self.client.processor_seconds()
+        self.assertIn("val slaves", self.hover(uri, "slaves = 2, count = 4999"))
+        self.assertIn("sender.count", self.labels(uri, "count = 4998"))
+        self.assertLess(self.client.processor_seconds() - begun, 1)
 
     def test_wrong_input_is_survived(self):
         self.survives(self.uri, STUDY, 7)
