@@ -95,7 +95,7 @@ std::string_view line_before(const SourceFile& file, const Location& at) {
 /// Returns the types of the names that can follow a word; none if other words can follow, too.
 std::vector<std::string_view> types_after(std::string_view before) {
     const std::size_t end = before.find_last_of(' '), last = before.find_last_not_of(' ', end);
-    if (end == before.npos || last == before.npos)
+    if (end == before.npos || last == before.npos || before.find('[', end) != before.npos)
         return {};
     const std::size_t blank = before.find_last_of(' ', last), first = blank == before.npos ? 0 : blank + 1;
     const std::string_view word = before.substr(first, last + 1 - first);

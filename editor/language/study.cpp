@@ -85,13 +85,13 @@ std::string name_around(const std::string& text, std::size_t offset) {
 
 std::string last_part(const std::string& name) { return name.substr(name.rfind('.') + 1); }
 
-const NamesByText& names_of(StudyPart part, const StudyNames& names) {
+const NamesByText& names_under(StudyPart part, const StudyNames& names) {
     static const NamesByText none;
     return part == StudyPart::settings ? names.settings : part == StudyPart::programs ? names.programs : none;
 }
 
 /// Returns the names that a value can have. An expression has no names with dots: `trials` stands for `master.trials`.
-NamesByText names_in(StudyWords words, const StudyNames& names) {
+NamesByText names_for(StudyWords words, const StudyNames& names) {
     NamesByText all;
     if (words == StudyWords::conditions || words == StudyWords::figures)
         for (const auto& [name, meaning] : names.settings)
@@ -116,7 +116,7 @@ std::optional<StudyName> meaning_of(const StudyWord& word, const StudyPlace& pla
                                     std::size_t offset) {
     if (!word.is_key && !place.key)
         return std::nullopt;
-    const NamesByText known = word.is_key ? names_of(place.part, names) : names_in(place.key->words, names);
+    const NamesByText known = word.is_key ? names_under(place.part, names) : names_for(place.key->words, names);
     const auto found = known.find(word.is_key ? without_subscripts(place.name + word.text)
                                               : name_around(word.text, offset - word.first));
     return found == known.end() ? std::nullopt : std::optional(found->second);
@@ -151,7 +151,7 @@ private:
             add(each);
         if (place.part == StudyPart::prices)
             add_prices();
-        add_names(names_of(place.part, names_), place.name + before_.last.text);
+        add_names(names_under(place.part, names_), place.name + before_.last.text);
     }
 
     void add(const StudyKey& key) {
@@ -172,7 +172,7 @@ private:
         else if (const auto set = names_.settings.find(place.name.substr(0, place.name.rfind('.')));
                  place.part == StudyPart::settings && set != names_.settings.end())
             add_texts(set->second.choices);
-        add_names(names_in(place.key->words, names_), typed);
+        add_names(names_for(place.key->words, names_), typed);
         add_texts(words_of(place.key->words));
     }
 

@@ -180,8 +180,10 @@ private:
     void read_product(const toml::table& table) {
         StudyProduct product;
         Handlers handlers = handlers_of(of_product(product));
-        for (const std::string& name : of_whole_study_)
-            handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
+        for (const auto& each : table)
+            if (const std::string name(each.first.str());
+                std::ranges::find(of_whole_study_, name) != of_whole_study_.end())
+                handlers.emplace(name, [this, name](const toml::node& node) { report_misplaced(name, node); });
         read_table(table, handlers);
         add(std::move(product));
     }

@@ -58,7 +58,7 @@ void add_elements(StudyNames& names, const Network& network, const Catalogue& ca
             add_process(names, each, catalogue);
 }
 
-void add_vals(StudyNames& names, const Network& network, const ReadOptions& options) {
+void add_constants(StudyNames& names, const Network& network, const ReadOptions& options) {
     const NetlistSyntax syntax = read_syntax(load_source(network.source_path).file, options.include_folders);
     for (const auto& [name, value] : stated_vals(network)) {
         const NetlistName* const declared = syntax.find(name);
@@ -94,7 +94,7 @@ std::optional<StudyNames> names_for_study(const std::filesystem::path& netlist, 
         const Network network = load_network(ParsedNetlist(netlist, read), {}, catalogue, [](const std::string&) {});
         StudyNames names;
         add_elements(names, network, catalogue);
-        add_vals(names, network, options);
+        add_constants(names, network, options);
         add_measures(names, network, catalogue, problems);
         return names;
     } catch (const UserError&) { // the study's check reports the error
