@@ -307,11 +307,12 @@ class Studies(LanguageTest):
 
     def test_ten_thousand_lines(self):
         """An edit is checked within 100 ms of a processor. A question takes less than a second."""
-        uri = self.open("long.toml", STUDY + "".join(f"[[also]]\nset = {{slaves = 2, count = {i}}}\n" for i in range(5_000)), "toml")
-        self.assertLess(self.seconds_an_edit(uri, "count = 4000"), 0.1)
+        also = "".join(f"[[also]]\n[also.set]\nslaves = 2\ncount = {i}\n" for i in range(2_500))
+        uri = self.open("long.toml", STUDY + also, "toml")
+        self.assertLess(self.seconds_an_edit(uri, "count = 2000"), 0.1)
         begun = self.client.processor_seconds()
-        self.assertIn("val slaves", self.hover(uri, "slaves = 2, count = 4999"))
-        self.assertIn("sender.count", self.labels(uri, "count = 4998"))
+        self.assertIn("val slaves", self.hover(uri, "slaves = 2\ncount = 2499"))
+        self.assertIn("sender.count", self.labels(uri, "count = 2498"))
         self.assertLess(self.client.processor_seconds() - begun, 1)
 
     def test_wrong_input_is_survived(self):
