@@ -1,5 +1,6 @@
 #include "editor/diagnosis.hpp"
 
+#include "editor/language/study_text.hpp"
 #include "explore/check/check_file.hpp"
 #include "occam/configuration/configuration.hpp"
 #include "occam/language/parse.hpp"
@@ -82,11 +83,28 @@ const NetlistSyntax& syntax_of(Document& document) {
 
 const OccamCheck& program_of(Document& document) {
     if (!document.occam.present) {
-        document.occam.present = std::make_shared<const OccamCheck>(check_occam_source(document.file, {}));
-        if (!document.occam.present->failed)
-            document.occam.last_good = document.occam.present;
+        document.occam.present = std::make_shared<const OccamCheck>(document.language == Language::configuration
+                                                                        ? check_configuration_source(document.file)
+                                                                        : check_occam_source(document.file, {}));
+        if (document.occam.present->parsed)
+            document.occam.last_parsed = document.occam.present;
     }
     return *document.occam.present;
+}
+
+const StudyNames& names_of(Document& document, const Catalogue& catalogue, const ProblemRegistry& problems) {
+    if (document.study)
+        return *document.study;
+    const std::filesystem::path folder = document.path.parent_path();
+    std::filesystem::path netlist;
+    ReadOptions options;
+    for (const StudyWord& each : read_study_text(document.file->text()).words)
+        if (!each.is_key && each.path == std::vector<std::string>{"netlist"})
+            netlist = folder / each.text;
+        else if (!each.is_key && each.path == std::vector<std::string>{"include"})
+            options.include_folders.push_back(folder / each.text);
+    document.study = names_for_study(netlist, options, catalogue, problems).value_or(StudyNames());
+    return *document.study;
 }
 
 std::vector<Diagnostic> check_document(Document& document, const Catalogue& catalogue) {

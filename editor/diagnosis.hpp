@@ -17,8 +17,11 @@ std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
 /// Returns the syntax of a netlist. Reads the text again only if it has changed.
 const NetlistSyntax& syntax_of(Document&);
-/// Returns the checked program in occam. Checks the text again only if it has changed.
+/// Returns the checked program in occam, or the configuration. Checks the text again only if it has changed.
 const OccamCheck& program_of(Document&);
+/// Returns the names of a study's netlist; no names if the netlist has an error. Reads the netlist again only if a text
+/// has changed.
+const StudyNames& names_of(Document&, const Catalogue&, const ProblemRegistry&);
 
 /// Writes ranges in the format of the protocol. Computes the line lengths of each text only once. REQUIRES: the files
 /// outlive this object.

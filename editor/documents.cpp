@@ -86,6 +86,7 @@ void Document::forget() {
     netlist.reset();
     occam.present.reset();
     occam.cycles.reset();
+    study.reset();
 }
 
 void Documents::set_text(Document& document, std::string text) {

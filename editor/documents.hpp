@@ -2,6 +2,7 @@
 
 #include "explore/check/line_cycles.hpp"
 #include "explore/occam_check.hpp"
+#include "explore/study/study_names.hpp"
 #include "netlist/language/names_in_text.hpp"
 #include "text/positions.hpp"
 #include "text/texts_in_memory.hpp"
@@ -21,10 +22,11 @@ namespace placedpar::editor {
 
 enum class Language : std::uint8_t { netlist, configuration, occam, study };
 
-/// Holds the results of checking a program in occam.
+/// Holds the results of checking a program in occam or a configuration.
 struct OccamResults {
-    std::shared_ptr<const OccamCheck> present = {};   ///< check of the present text; null: not checked yet
-    std::shared_ptr<const OccamCheck> last_good = {}; ///< check of the last version without errors; null: there is none
+    std::shared_ptr<const OccamCheck> present = {};     ///< check of the present text; null: not checked yet
+    std::shared_ptr<const OccamCheck> last_parsed = {}; ///< check of the last version without errors of syntax; null:
+                                                        ///< there is none
     std::optional<std::map<std::size_t, LineCycles>> cycles = {}; ///< cycles of each line of the present text
 };
 
@@ -42,6 +44,7 @@ struct Document {
     std::set<std::filesystem::path> included = {}; ///< files that the text includes
     std::optional<NetlistSyntax> netlist = {};     ///< syntax of a netlist; nullopt: not read yet, or another language
     OccamResults occam = {};                       ///< empty for other languages
+    std::optional<StudyNames> study = {};          ///< names of a study's netlist; nullopt: not read yet
     bool failed = false; ///< whether the last check has found an error; a missing file may be the reason
 
     /// Converts a position of the protocol to a place in the file. Throws RequestError if the position is after the end

@@ -3,6 +3,7 @@
 #include "editor/diagnosis.hpp"
 #include "editor/language/completion.hpp"
 #include "editor/language/navigation.hpp"
+#include "editor/language/study_text.hpp"
 #include "editor/protocol/json_members.hpp"
 #include "editor/protocol/message_stream.hpp"
 #include "explore/problems.hpp"
@@ -137,17 +138,8 @@ struct LanguageServer::State {
 
     json::value complete(const json::object& params) {
         Document& document = document_of(params);
-        const Location at = location_of(params);
-        std::vector<Completion> found;
-        if (document.language == Language::netlist)
-            found = complete_netlist(syntax_of(document), catalogue, at);
-        else if (document.language == Language::occam) {
-            program_of(document); // also stores it as the last good program, if it has no errors
-            found = complete_occam(*document.file,
-                                   document.occam.last_good ? document.occam.last_good->program.get() : nullptr, at);
-        }
         json::array items;
-        for (const Completion& each : found)
+        for (const Completion& each : completions(document, location_of(params)))
             items.push_back(json::object{{"label", each.text},
                                          {"kind", number_of(each.kind)},
                                          {"detail", each.detail},
@@ -158,11 +150,11 @@ struct LanguageServer::State {
     json::value define(const json::object& params) {
         Document& document = document_of(params);
         const Location at = location_of(params);
-        std::optional<Location> found;
-        if (document.language == Language::netlist)
-            found = definition_in_netlist(syntax_of(document), at);
-        else if (document.language == Language::occam)
-            found = definition_in_occam(*program_of(document).program, at);
+        const std::optional<Location> found =
+            document.language == Language::netlist ? definition_in_netlist(syntax_of(document), at)
+            : document.language == Language::study ? definition_in_study(read_study_text(document.file->text()),
+                                                                         names_of(document, catalogue, problems), at)
+                                                   : definition_in_occam(*program_of(document).program, at);
         if (!found)
             return nullptr;
         return {{"uri", documents.uri_of(found->file->path())},
@@ -197,7 +189,7 @@ struct LanguageServer::State {
         std::vector<OutlineEntry> entries;
         if (document.language == Language::netlist)
             entries = outline_of(syntax_of(document));
-        else if (document.language == Language::occam)
+        else if (document.language != Language::study)
             entries = outline_of(*program_of(document).program);
         RangeWriter writer;
         json::array symbols;
@@ -284,10 +276,24 @@ struct LanguageServer::State {
     std::string hover_text(Document& document, const Location& at) {
         if (document.language == Language::netlist)
             return hover_netlist(syntax_of(document), catalogue, at);
-        if (document.language != Language::occam)
-            return "";
+        if (document.language == Language::study)
+            return hover_study(read_study_text(document.file->text()), names_of(document, catalogue, problems), at);
         const OccamCheck& program = program_of(document);
+        if (document.language == Language::configuration)
+            return program.configured ? hover_configuration(*program.program, *program.configured, at) : "";
         return hover_occam(*program.program, at) + cycles_text(document, at);
+    }
+
+    std::vector<Completion> completions(Document& document, const Location& at) {
+        if (document.language == Language::netlist)
+            return complete_netlist(syntax_of(document), catalogue, at);
+        if (document.language == Language::study)
+            return complete_study(read_study_text(document.file->text().substr(0, offset_of(at))),
+                                  names_of(document, catalogue, problems), catalogue);
+        program_of(document); // also stores it as the last parsed program, if it has no errors of syntax
+        const OccamCheck* const parsed = document.occam.last_parsed.get();
+        return (document.language == Language::occam ? complete_occam : complete_configuration)(
+            *document.file, parsed ? parsed->program.get() : nullptr, at);
     }
 
     /// Throws RequestError unless the document is a netlist that no other open text includes.

@@ -1,5 +1,6 @@
 #include "explore/occam_check.hpp"
 
+#include "occam/configuration/configurer.hpp"
 #include "occam/library/library.hpp"
 #include "text/reporter.hpp"
 
@@ -28,12 +29,14 @@ OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vecto
         return standard_input && name == "standard input" ? standard_input->text() : occam::library_text(name);
     };
     occam::Parsed parsed = occam::parse(std::move(file), options, reporter);
-    if (!reporter.failed()) {
+    const bool has_syntax = !reporter.failed();
+    if (has_syntax) {
         leave_out_unwanted(parsed.options, wanted);
         occam::check(*parsed.program, parsed.options, reporter, change);
     }
     OccamCheck result{.program = std::move(parsed.program), .options = parsed.options};
     result.main = occam::main_procedure(*result.program);
+    result.parsed = has_syntax;
     result.failed = reporter.failed();
     return result;
 }
@@ -46,6 +49,19 @@ OccamCheck check_occam_source(std::shared_ptr<const SourceFile> file, std::vecto
         check_occam_source(std::move(file), std::move(folders), wanted, reporter, std::move(standard_input), change);
     result.diagnostics = reporter.take();
     result.not_shown = reporter.not_shown();
+    return result;
+}
+
+OccamCheck check_configuration_source(std::shared_ptr<const SourceFile> file) {
+    Reporter reporter;
+    occam::ParseOptions options;
+    options.built_in = [](const std::string& name) { return occam::library_text(name); };
+    OccamCheck result{.program = occam::parse(std::move(file), options, reporter).program, .options = {}};
+    result.parsed = !reporter.failed();
+    if (result.parsed)
+        result.configured =
+            std::make_shared<const occam::Configured>(occam::Configurer(*result.program, {}, reporter).run());
+    result.failed = reporter.failed();
     return result;
 }
 

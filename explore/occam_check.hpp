@@ -11,8 +11,11 @@
 namespace placedpar {
 
 class Reporter; // text/reporter.hpp
+namespace occam {
+struct Configured; // occam/configuration/configured.hpp
+} // namespace occam
 
-/// A program in occam that has been read and checked.
+/// A program in occam, or a configuration, that has been read and checked.
 struct OccamCheck {
     std::unique_ptr<occam::Program> program;
     occam::SourceOptions options;             ///< options that the text or the caller sets
@@ -20,6 +23,8 @@ struct OccamCheck {
     std::vector<Diagnostic> diagnostics = {};
     std::string not_shown = ""; ///< a line that says how many errors are not in `diagnostics`; "" if none
     bool failed = false;        ///< there are errors, so the program cannot be compiled
+    bool parsed = false;        ///< the text has no errors of syntax, so the program's names have their meanings
+    std::shared_ptr<const occam::Configured> configured = {}; ///< null unless a configuration was parsed
 };
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
@@ -34,5 +39,7 @@ OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std
                               const occam::SourceOptions& wanted, Reporter&,
                               std::shared_ptr<const SourceFile> standard_input = nullptr,
                               const occam::ChangeDeclaration& change = {});
+/// Reads a configuration. The files of its processes are not compiled.
+OccamCheck check_configuration_source(std::shared_ptr<const SourceFile>);
 
 } // namespace placedpar

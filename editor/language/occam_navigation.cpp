@@ -1,5 +1,6 @@
 #include "editor/language/completion.hpp"
 #include "editor/language/navigation.hpp"
+#include "editor/language/occam_names.hpp"
 #include "occam/language/words.hpp"
 #include "occam/library/library.hpp"
 
@@ -23,17 +24,6 @@ using occam::Program;
 bool is_in_name(char c) {
     const auto byte = static_cast<unsigned char>(c);
     return byte < 0x80 && (std::isalnum(byte) != 0 || c == '.' || c == '_');
-}
-
-/// Returns the name at a place or directly before it, and the column of the name's first character.
-std::pair<std::string, std::size_t> name_at(const SourceFile& file, const Location& at) {
-    const std::string_view line = file.line(at.line);
-    std::size_t first = std::min(at.column - 1, line.size()), last = first;
-    while (first > 0 && is_in_name(line[first - 1]))
-        --first;
-    while (last < line.size() && is_in_name(line[last]))
-        ++last;
-    return {std::string(line.substr(first, last - first)), first + 1};
 }
 
 std::string text_of_line(const Program& program, const occam::Place& at) {
@@ -76,16 +66,6 @@ std::string type_text(const Declaration& declaration) {
     return declaration.type && !is_routine(declaration) ? occam::name_of(*declaration.type) : "";
 }
 
-/// Returns the declaration of the name at a place of the main file; null if there is no name, or if the name is not
-/// declared.
-const Declaration* meaning_at(const Program& program, const Location& at) {
-    const auto [name, column] = name_at(*program.files.front(), at);
-    for (const occam::ResolvedName& each : program.resolved)
-        if (each.at.file == 0 && each.at.line == at.line && each.meaning->name == name && each.at.column == column)
-            return each.meaning;
-    return nullptr;
-}
-
 /// Adds the names that used files declare, and the names of the main file that are visible at a place; each name once.
 void add_names(const Program& program, const SourceFile& file, const Location& at, std::vector<Completion>& found) {
     std::set<std::string> known;
@@ -108,6 +88,24 @@ void add_names(const Program& program, const SourceFile& file, const Location& a
 }
 
 } // namespace
+
+std::pair<std::string, std::size_t> name_at(const SourceFile& file, const Location& at) {
+    const std::string_view line = file.line(at.line);
+    std::size_t first = std::min(at.column - 1, line.size()), last = first;
+    while (first > 0 && is_in_name(line[first - 1]))
+        --first;
+    while (last < line.size() && is_in_name(line[last]))
+        ++last;
+    return {std::string(line.substr(first, last - first)), first + 1};
+}
+
+const Declaration* meaning_at(const Program& program, const Location& at) {
+    const auto [name, column] = name_at(*program.files.front(), at);
+    for (const occam::ResolvedName& each : program.resolved)
+        if (each.at.file == 0 && each.at.line == at.line && each.meaning->name == name && each.at.column == column)
+            return each.meaning;
+    return nullptr;
+}
 
 std::string hover_occam(const Program& program, const Location& at) {
     const Declaration* const meaning = meaning_at(program, at);
@@ -144,7 +142,7 @@ std::vector<OutlineEntry> outline_of(const Program& program) {
     return entries;
 }
 
-std::vector<Completion> complete_occam(const SourceFile& file, const Program* checked, const Location& at) {
+std::vector<Completion> complete_occam(const SourceFile& file, const Program* parsed, const Location& at) {
     const std::string_view before = file.line(at.line).substr(0, at.column - 1);
     if (before.find("--") != before.npos)
         return {};
@@ -156,8 +154,8 @@ std::vector<Completion> complete_occam(const SourceFile& file, const Program* ch
     }
     for (const std::string_view each : occam::all_keywords())
         found.push_back({std::string(each), Completion::Kind::keyword});
-    if (checked)
-        add_names(*checked, file, at, found);
+    if (parsed)
+        add_names(*parsed, file, at, found);
     return found;
 }
 

@@ -206,41 +206,47 @@ std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures&
 }
 
 void PossibleMeasures::add(const Network& network, const Catalogue& kinds, const ProblemRegistry& problems) {
-    names_.insert({"time", "processors", "links"});
+    abouts_["time"] = "length of the run in ms";
+    abouts_["processors"] = "number of processors in the machine";
+    abouts_["links"] = "number of wires in the machine";
     for (const Node& node : network.nodes)
-        names_.insert(name_of_array(node.name + ".busy"));
+        abouts_[name_of_array(node.name + ".busy")] = "load of the processor in %";
     for (const ProcessInstance& process : network.processes) {
         const ProcessKind* kind = kinds.find(process.kind);
         if (!kind || kind->measurements.empty())
             unknown_.insert(name_of_array(process.name + "."));
         else
             for (const MeasurementDescription& each : kind->measurements)
-                add(process, each.name, problems);
+                add(process, each, problems);
     }
 }
 
 /// Adds the measures of a process. If the names of measures depend on the process, the kind describes them in words,
 /// such as "the problem's parameters".
-void PossibleMeasures::add(const ProcessInstance& process, const std::string& described,
+void PossibleMeasures::add(const ProcessInstance& process, const MeasurementDescription& described,
                            const ProblemRegistry& problems) {
     auto problem = process.parameters.find("problem");
-    if (described.find(' ') == described.npos)
-        names_.insert(name_of_array(process.name + "." + described));
+    const std::string about = described.about + (described.unit.empty() ? "" : " in " + described.unit);
+    if (described.name.find(' ') == described.name.npos)
+        abouts_[name_of_array(process.name + "." + described.name)] = about;
     else if (problem == process.parameters.end())
         unknown_.insert(name_of_array(process.name + "."));
     else
         for (const std::string& each :
              problems.find(std::get<std::string>(problem->second)).problem()->parameter_names())
-            names_.insert(name_of_array(process.name + "." + each));
+            abouts_[name_of_array(process.name + "." + each)] = about;
 }
 
 bool PossibleMeasures::has(const StudyMeasure& measure) const {
     std::string name = measure.name_without_subscripts();
-    return names_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
+    return abouts_.contains(name) || unknown_.contains(name.substr(0, name.rfind('.') + 1));
 }
 
 std::string PossibleMeasures::why_unknown(const StudyMeasure& measure) const {
-    return unknown_measure(measure.name_without_subscripts(), names_);
+    std::set<std::string> names;
+    for (const auto& each : abouts_)
+        names.insert(each.first);
+    return unknown_measure(measure.name_without_subscripts(), names);
 }
 
 } // namespace placedpar

@@ -12,11 +12,12 @@
 
 namespace placedpar {
 
-class Catalogue;        // netlist/kinds/catalogue.hpp
-class ProblemRegistry;  // gaprocs/problem_registry.hpp
-struct Network;         // netlist/network/network.hpp
-struct ProcessInstance; // netlist/network/network.hpp
-struct RunReport;       // netlist/run_report.hpp
+class Catalogue;               // netlist/kinds/catalogue.hpp
+class ProblemRegistry;         // gaprocs/problem_registry.hpp
+struct MeasurementDescription; // netlist/kinds/process_kind.hpp
+struct Network;                // netlist/network/network.hpp
+struct ProcessInstance;        // netlist/network/network.hpp
+struct RunReport;              // netlist/run_report.hpp
 
 struct StudyFigure {
     double value = 0;
@@ -71,15 +72,17 @@ std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
-    void add(const std::string& measure) { names_.insert(measure); }
+    void add(const std::string& measure) { abouts_[measure]; }
+    /// Returns the descriptions of the measures, with their units, by names without subscripts.
+    const std::map<std::string, std::string>& abouts() const { return abouts_; }
     bool has(const StudyMeasure&) const;
     /// Returns a sentence with all possible measures.
     std::string why_unknown(const StudyMeasure&) const;
 
 private:
-    void add(const ProcessInstance&, const std::string& described, const ProblemRegistry&);
+    void add(const ProcessInstance&, const MeasurementDescription&, const ProblemRegistry&);
 
-    std::set<std::string> names_;   ///< without subscripts
+    std::map<std::string, std::string> abouts_;
     std::set<std::string> unknown_; ///< prefixes such as "column." of processes whose kind does not describe all its
                                     ///< measurements
 };

@@ -2,10 +2,10 @@
 
 #include "explore/study/figure_names.hpp"
 #include "explore/study/measure.hpp"
+#include "explore/study/study_keys.hpp"
+#include "explore/study/study_nodes.hpp"
 #include "explore/study/study_settings.hpp"
-#include "explore/study/toml_reader.hpp"
 #include "explore/time_text.hpp"
-#include "text/counted.hpp"
 
 #include <fmt/format.h>
 
@@ -20,10 +20,29 @@ namespace placedpar {
 
 namespace {
 
-class StudyReader : TomlReader {
+class StudyReader : StudyNodes {
 public:
     explicit StudyReader(const std::string& path)
-        : TomlReader(path), folder_(std::filesystem::path(path).parent_path()) {}
+        : StudyNodes(path), folder_(std::filesystem::path(path).parent_path()) {}
+    /// Makes a reader without a file, which knows only the keys.
+    StudyReader() : StudyNodes(std::make_shared<const SourceFile>("", ""), "study") {}
+
+    std::vector<StudyKey> keys(StudyPart part) {
+        StudyProduct product;
+        StudySearch search;
+        TableRead table;
+        StudyRow row;
+        std::vector<StudyKey> keys;
+        for (const Entry& each : part == StudyPart::whole     ? of_whole(product)
+                                 : part == StudyPart::product ? of_product(product)
+                                 : part == StudyPart::search  ? of_search(search)
+                                 : part == StudyPart::table   ? of_table(table)
+                                 : part == StudyPart::column  ? of_variant(row.runs)
+                                 : part == StudyPart::row     ? joined(of_row(row, {}, {}), of_variant(row.runs))
+                                                              : Entries())
+            keys.push_back(each.key);
+        return keys;
+    }
 
     Study read() {
         toml::table top = parsed();
@@ -35,32 +54,79 @@ public:
 private:
     static constexpr const char* form_of_variants = "[{name = \"8 slaves\", set = {slaves = 8}}]";
 
+    Entries of_whole(StudyProduct& product) { return joined(joined(of_product(product), of_runs()), of_results()); }
+
+    /// Returns the keys that state which runs are made.
+    Entries of_runs() {
+        return {
+            {{.name = "netlist", .form = "a path", .about = "netlist of the runs, as seen from this file"},
+             [this](const toml::node& node) { study_.netlist = beside(text(node)); }},
+            whole_entry({.name = "seeds", .about = "number of seeds with which each combination is run", .least = 1},
+                        study_.seeds),
+            whole_entry({.name = "first_seed", .about = "the first of these seeds; 1 if it is not stated"},
+                        study_.first_seed),
+            {{.name = "until", .form = "a time such as \"10s\"", .about = "virtual time at which runs are stopped"},
+             [this](const toml::node& node) { attempt_at(node, [&] { study_.until = parse_time(text(node)); }); }},
+            {{.name = "include", .form = "a path or a list", .about = "folders of files that the netlist includes"},
+             [this](const toml::node& node) {
+                 for (const std::string& each : texts(node))
+                     study_.read.include_folders.emplace_back(beside(each));
+             }},
+            {{.name = "fault", .form = "a text or a list", .about = "faults, such as \"t[0] halts (at = 20ms)\""},
+             [this](const toml::node& node) { study_.read.faults = texts(node); }},
+            {{.name = "use",
+              .form = "a table of programs and kinds",
+              .about = "kinds that replace programs of the netlist",
+              .members = StudyPart::programs},
+             [this](const toml::node& node) { read_programs(node); }},
+            {{.name = "also",
+              .form = "tables [[also]]",
+              .about = "further combinations of settings",
+              .members = StudyPart::product},
+             [this](const toml::node& node) {
+                 read_in_turn(node, &StudyReader::read_product, "[[also]] must be a table", "[[also]]");
+             }},
+            {{.name = "search",
+              .form = "a table",
+              .about = "search for the best combination, by placedpar optimise",
+              .members = StudyPart::search},
+             [this](const toml::node& node) { read_search(node); }},
+        };
+    }
+
+    /// Returns the keys that state which results are shown.
+    Entries of_results() {
+        Entry reference = settings_entry(
+            {.name = "relative_to",
+             .about = "each figure is divided by the figure of the run that differs only in these settings"},
+            study_.relative_to);
+        reference.read = [this](const toml::node& node) { read_reference(node); };
+        return {
+            {{.name = "measure",
+              .form = "a measure or a list",
+              .about = "figures of the runs that are shown; time if none is stated",
+              .words = StudyWords::measures},
+             [this](const toml::node& node) { study_.measures = measures(node); }},
+            text_entry({.name = "notes", .about = "text below the tables"}, study_.notes),
+            {{.name = "price",
+              .form = "a table of numbers from 0 to 1e12",
+              .about = "prices of types of nodes and of a link; the runs then have the measure price",
+              .members = StudyPart::prices},
+             [this](const toml::node& node) { study_.prices = numbers(node, "price = {T800 = 300}"); }},
+            {{.name = "table",
+              .form = "tables [[table]]",
+              .about = "figures of runs beside known figures",
+              .members = StudyPart::table},
+             [this](const toml::node& node) {
+                 read_in_turn(node, &StudyReader::read_figures, "\"table\" must be a list of tables", "[[table]]");
+             }},
+            std::move(reference),
+        };
+    }
+
     void read_top(const toml::table& top) {
         StudyProduct product;
-        Handlers handlers = of_product(product);
-        handlers["netlist"] = [&](const toml::node& node) { study_.netlist = beside(text(node)); };
-        handlers["seeds"] = [&](const toml::node& node) { study_.seeds = whole(node, 1); };
-        handlers["first_seed"] = [&](const toml::node& node) { study_.first_seed = whole(node, 0); };
-        handlers["measure"] = [&](const toml::node& node) { study_.measures = measures(node); };
-        handlers["notes"] = [&](const toml::node& node) { study_.notes = text(node); };
-        handlers["also"] = [&](const toml::node& node) {
-            read_in_turn(node, &StudyReader::read_product, "[[also]] must be a table", "[[also]]");
-        };
-        handlers["table"] = [&](const toml::node& node) {
-            read_in_turn(node, &StudyReader::read_figures, "\"table\" must be a list of tables", "[[table]]");
-        };
-        handlers["include"] = [&](const toml::node& node) {
-            for (const std::string& each : texts(node))
-                study_.read.include_folders.emplace_back(beside(each));
-        };
-        handlers["fault"] = [&](const toml::node& node) { study_.read.faults = texts(node); };
-        handlers["use"] = [&](const toml::node& node) { read_programs(node); };
-        handlers["price"] = [&](const toml::node& node) { study_.prices = numbers(node, "price = {T800 = 300}"); };
-        handlers["search"] = [&](const toml::node& node) { read_search(node); };
-        handlers["relative_to"] = [&](const toml::node& node) { read_reference(node); };
-        handlers["until"] = [&](const toml::node& node) {
-            attempt_at(node, [&] { study_.until = parse_time(text(node)); });
-        };
+        const Handlers handlers = handlers_of(of_whole(product));
         of_whole_study_ = names_of(handlers);
         read_table(top, handlers);
         if (top.contains("table"))
@@ -90,12 +156,18 @@ private:
                    "leave out [search] or [[table]]; use two studies for both");
     }
 
-    /// Returns the handlers for a product's members.
-    Handlers of_product(StudyProduct& product) {
-        return {{"set", [&](const toml::node& node) { read_axes(node, "", product.axes); }},
-                {"where", [&](const toml::node& node) {
-                     attempt_at(node, [&] { product.where = StudyExpression(text(node)); });
-                 }}};
+    Entries of_product(StudyProduct& product) {
+        return {
+            {{.name = "set",
+              .form = "a table of settings, each with a value, a list or a range such as \"0..7\"",
+              .about = "constants, attributes and parameters of the netlist; all combinations are run",
+              .members = StudyPart::settings},
+             [&](const toml::node& node) { read_axes(node, "", product.axes); }},
+            {{.name = "where",
+              .form = "an expression over settings",
+              .about = "condition; only combinations for which it holds are run",
+              .words = StudyWords::conditions},
+             [&](const toml::node& node) { attempt_at(node, [&] { product.where = StudyExpression(text(node)); }); }}};
     }
 
     /// Registers the tables of a list: all tables of [[also]] and [[table]] are read in the order of the file.
@@ -107,9 +179,11 @@ private:
 
     void read_product(const toml::table& table) {
         StudyProduct product;
-        Handlers handlers = of_product(product);
-        for (const std::string& name : of_whole_study_)
-            handlers.emplace(name, [&](const toml::node& misplaced) { report_misplaced(name, misplaced); });
+        Handlers handlers = handlers_of(of_product(product));
+        for (const auto& each : table)
+            if (const std::string name(each.first.str());
+                std::ranges::find(of_whole_study_, name) != of_whole_study_.end())
+                handlers.emplace(name, [this, name](const toml::node& node) { report_misplaced(name, node); });
         read_table(table, handlers);
         add(std::move(product));
     }
@@ -118,8 +192,6 @@ private:
         settings_.add(product);
         study_.products.push_back(std::move(product));
     }
-
-    using Members = std::map<std::string, const toml::node*>;
 
     /// A table that has been read, and the data that a later table can take over by "like".
     struct TableRead {
@@ -133,7 +205,7 @@ private:
         if (!name)
             report(source.source().begin, "the table lacks a name", "name = \"as it was measured\"");
         TableRead read = read_like(source);
-        read_table(source, of_table(read), "table");
+        read_table(source, handlers_of(of_table(read)), "table");
         if (name && !tables_read_.emplace(read.table.name, read).second)
             report(name->source().begin, fmt::format("two tables have the name \"{}\"", read.table.name));
         if (read.columns)
@@ -160,44 +232,38 @@ private:
         return {};
     }
 
-    Handlers of_table(TableRead& read) {
-        Handlers handlers = noted(read.of_rows);
-        handlers.merge(
-            Handlers{{"name", [&](const toml::node& node) { read.table.name = text(node); }},
-                     {"like", [](const toml::node&) {}},
-                     {"against", [&](const toml::node& node) { read.table.against = against(node); }},
-                     {"notes", [&](const toml::node& node) { read.table.notes = node.value_or(std::string()); }},
-                     {"judged", [&](const toml::node& node) { read.table.judged = truth(node); }},
-                     {"fit", [&](const toml::node& node) { read.table.fit = truth(node); }},
-                     {"set", [&](const toml::node& node) { read.table.shared = settings(node); }},
-                     {"columns", [&](const toml::node& node) { read.columns = &node; }},
-                     {"rows", [&](const toml::node& node) { read.rows = &node; }}});
-        return handlers;
-    }
-
-    std::string against(const toml::node& node) {
-        constexpr std::ptrdiff_t most = 7;
-        std::string word = text(node);
-        if (std::ranges::count_if(word, [](char each) { return (each & 0xC0) != 0x80; }) > most) // counts the
-                                                                                                 // characters of UTF-8
-            report(node.source().begin,
-                   fmt::format("\"{}\" is too long as a heading: expected at most {} letters", word, most));
-        return word;
-    }
-
-    /// Returns handlers that only store a row's members, which are read later, when the columns are known.
-    static Handlers noted(Members& members) {
-        Handlers handlers;
-        for (const char* name : {"figure", "unit", "decimals", "relative_to", "known", "tolerance", "origin", "judge",
-                                 "interval", "at_least", "at_most"})
-            handlers[name] = [&members, name](const toml::node& node) { members[name] = &node; };
-        return handlers;
+    Entries of_table(TableRead& read) {
+        StudyTable& table = read.table;
+        Entries entries{
+            text_entry({.name = "name", .about = "text above the table"}, table.name),
+            {{.name = "like",
+              .form = "the name of an earlier table",
+              .about = "table that has the keys that are missing here",
+              .words = StudyWords::tables},
+             [](const toml::node&) {}},
+            {{.name = "against", .form = "a text of at most 7 letters", .about = "heading of the known figures"},
+             [&](const toml::node& node) { table.against = against(node); }},
+            {{.name = "notes", .form = "a text", .about = "text below the table"},
+             [&](const toml::node& node) { table.notes = node.value_or(std::string()); }},
+            truth_entry({.name = "judged", .about = "a miss counts, even if this is not the first table"},
+                        table.judged),
+            truth_entry({.name = "fit", .about = "adds a line with the deviation of all figures"}, table.fit),
+            settings_entry({.name = "set", .about = "settings of all runs of the table"}, table.shared),
+            {{.name = "columns",
+              .form = "a list of {name, set}",
+              .about = "columns of the table",
+              .members = StudyPart::column},
+             [&](const toml::node& node) { read.columns = &node; }},
+            {{.name = "rows", .form = "a list of tables", .about = "rows of the table", .members = StudyPart::row},
+             [&](const toml::node& node) { read.rows = &node; }}};
+        StudyRow none;
+        return joined(std::move(entries), noted(of_row(none, {}, {}), read.of_rows));
     }
 
     void read_columns(const toml::node& node, StudyTable& table) {
         std::set<std::string> names;
         for (const toml::table* each : tables_in(node, "expected a list of tables", form_of_variants)) {
-            read_table(*each, of_variant(table.columns.emplace_back()), "column");
+            read_table(*each, handlers_of(of_variant(table.columns.emplace_back())), "column");
             require_name(*each, "column", table.columns.back().name, names);
         }
     }
@@ -218,12 +284,12 @@ private:
         for (const toml::table* each : tables_in(*read.rows, "expected a list of tables", form_of_variants)) {
             StudyRow row;
             Members members = read.of_rows;
-            Handlers handlers = noted(members);
-            handlers.merge(of_variant(row.runs));
-            read_table(*each, handlers, "row");
+            const Entries of_members = of_row(row, read.table.columns, study_.figures);
+            const Handlers handlers = handlers_of(of_members);
+            read_table(*each, handlers_of(joined(noted(of_members, members), of_variant(row.runs))), "row");
             require_name(*each, "row", row.runs.name, names);
             for (const auto& [name, node] : members)
-                of_row(row, read.table.columns).at(name)(*node);
+                handlers.at(name)(*node);
             if (!members.contains("figure"))
                 report(each->source().begin, "the row lacks a figure", "figure = \"time\"");
             for (std::size_t i = 0; i < read.table.columns.size(); ++i)
@@ -272,94 +338,6 @@ private:
         return list && column < list->size() ? *list->get(column) : node;
     }
 
-    Handlers of_variant(StudyVariant& variant) {
-        return {{"name", [&](const toml::node& node) { variant.name = text(node); }},
-                {"set", [&](const toml::node& node) { variant.set = settings(node); }}};
-    }
-
-    Handlers of_row(StudyRow& row, const std::vector<StudyVariant>& columns) {
-        return {
-            {"figure", [&](const toml::node& node) { read_figure(node, row); }},
-            {"unit", [&](const toml::node& node) { row.unit = text(node); }},
-            {"decimals", [&](const toml::node& node) { row.decimals = static_cast<int>(whole(node, 0, 9)); }},
-            {"relative_to", [&](const toml::node& node) { row.relative_to = settings(node); }},
-            {"known", [&](const toml::node& node) { row.known = by_column(node, columns, &StudyReader::known); }},
-            {"tolerance",
-             [&](const toml::node& node) { row.tolerances = by_column(node, columns, &StudyReader::tolerance); }},
-            {"judge", [&](const toml::node& node) { row.judge = judge(node); }},
-            {"interval", [&](const toml::node& node) { row.interval = truth(node); }},
-            {"at_least", [&](const toml::node& node) { row.at_least = by_column(node, columns, &StudyReader::known); }},
-            {"at_most", [&](const toml::node& node) { row.at_most = by_column(node, columns, &StudyReader::known); }},
-            {"origin", [&](const toml::node& node) { row.origins = by_column(node, columns, &StudyReader::origin); }}};
-    }
-
-    void read_figure(const toml::node& node, StudyRow& row) {
-        const std::string figure = text(node);
-        if (std::ranges::find(study_.figures, figure) != study_.figures.end())
-            row.measure = figure;
-        else
-            row.figure = expression(node, figure);
-    }
-
-    /// Reads a value for each column. A value that is not a list holds for all columns.
-    template <class Read>
-    std::vector<Read> by_column(const toml::node& node, const std::vector<StudyVariant>& columns,
-                                Read (StudyReader::*read)(const toml::node&, std::string)) {
-        const toml::array* array = node.as_array();
-        if (!array)
-            return std::vector(columns.size(), (this->*read)(node, value_text(node)));
-        if (array->size() != columns.size())
-            report(node.source().begin,
-                   fmt::format("the list has {} values than the table has columns: {}, {}",
-                               array->size() > columns.size() ? "more" : "fewer", counted(array->size(), "value"),
-                               counted(columns.size(), "column")),
-                   "give one value for each column, or a single value without brackets for all of them");
-        std::vector<Read> all;
-        for (const toml::node& each : *array)
-            all.push_back((this->*read)(each, value_text(each)));
-        return all;
-    }
-
-    StudyExpression expression(const toml::node& node, const std::string& text) {
-        StudyExpression read("");
-        if (text.empty())
-            report(node.source().begin, "expected a number or an expression; write nan for no value");
-        attempt_at(node, [&] { read = StudyExpression(text); });
-        return read;
-    }
-
-    StudyExpression known(const toml::node& node, std::string text) {
-        return text == "nan" ? StudyExpression("") : expression(node, text);
-    }
-
-    /// Reads a tolerance: "3 %" is a share of the known figure; ".05" or ".01 * known" is in the figure's unit. With
-    /// nan, the cell is not judged.
-    StudyTolerance tolerance(const toml::node& node, std::string text) {
-        const bool in_percent = text.ends_with('%');
-        if (in_percent)
-            text.pop_back();
-        return {known(node, text), in_percent};
-    }
-
-    Judge judge(const toml::node& node) {
-        const std::string name = text(node);
-        for (Judge each : every_judge)
-            if (name == name_of(each))
-                return each;
-        report(node.source().begin, fmt::format("unknown judge \"{}\"", name),
-               "expected \"thesis\", \"published\" or \"own\"");
-        return Judge::own;
-    }
-
-    Origin origin(const toml::node& node, std::string text) {
-        for (Origin each : every_origin)
-            if (text == name_of(each))
-                return each;
-        report(node.source().begin, fmt::format("unknown origin \"{}\"", text),
-               "expected \"outcome\", \"calibrated\", \"workload\", \"fitted\" or \"constant\"");
-        return Origin::outcome;
-    }
-
     /// Adds the runs that the study does not have yet.
     void add_runs_of(const StudyTable& table) {
         for (const StudyRow& row : table.rows)
@@ -386,13 +364,7 @@ private:
         if (!table)
             return report(node.source().begin, "the search must be a single table", "[search]");
         StudySearch search;
-        const std::uint64_t most_machines = StudySearch::most_population, most_bred = StudySearch::most_generations;
-        read_table(*table,
-                   {{"minimise", [&](const toml::node& each) { search.minimise = measures(each); }},
-                    {"population", [&](const toml::node& each) { search.population = whole(each, 4, most_machines); }},
-                    {"generations", [&](const toml::node& each) { search.generations = whole(each, 1, most_bred); }},
-                    {"seed", [&](const toml::node& each) { search.seed = whole(each, 0); }}},
-                   "search");
+        read_table(*table, handlers_of(of_search(search)), "search");
         if (search.minimise.empty() || search.minimise.size() > 2)
             report(node.source().begin, "a search minimises one or two measures",
                    "minimise = \"time\", or minimise = [\"time\", \"processors\"]");
@@ -409,63 +381,6 @@ private:
         study_.relative_to = settings(node);
     }
 
-    /// Reads settings as axes, each of which must have a single value.
-    Overrides settings(const toml::node& node) {
-        std::vector<StudyAxis> axes;
-        read_axes(node, "", axes);
-        Overrides set;
-        for (const StudyAxis& axis : axes)
-            if (axis.count() == 1)
-                set[axis.name] = axis.at(0);
-            else
-                report(node.source().begin, fmt::format("\"{}\" has several values here", axis.name),
-                       "give each name one value");
-        return set;
-    }
-
-    /// Reports a key of the whole study that stands below a line in brackets, and so became a key of that table.
-    void report_misplaced(const std::string& name, const toml::node& node) {
-        report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this table", name),
-               "move it above [set] and [[also]]");
-    }
-
-    /// Reads the axes in the order of the text, which the parser's tables do not keep. The parser makes nested tables
-    /// of names with dots.
-    void read_axes(const toml::node& node, const std::string& prefix, std::vector<StudyAxis>& axes) {
-        const toml::table* table = node.as_table();
-        if (!table)
-            return report(node.source().begin, "expected a table", "[set]");
-        std::vector<std::pair<const toml::key*, const toml::node*>> members;
-        for (const auto& [key, value] : *table)
-            members.emplace_back(&key, &value);
-        std::ranges::stable_sort(members, [](const auto& a, const auto& b) {
-            toml::source_position one = a.first->source().begin, other = b.first->source().begin;
-            return std::pair(one.line, one.column) < std::pair(other.line, other.column);
-        });
-        for (const auto& [key, value] : members)
-            if (value->is_table() && prefix.empty() && key->str() == "relative_to") // no process has this name
-                report_misplaced("relative_to", *value);
-            else if (value->is_table())
-                read_axes(*value, prefix + std::string(key->str()) + ".", axes);
-            else
-                read_axis_of(prefix + std::string(key->str()), *value, axes);
-    }
-
-    void read_axis_of(const std::string& name, const toml::node& node, std::vector<StudyAxis>& axes) {
-        std::string values;
-        if (const toml::array* array = node.as_array()) {
-            if (array->empty())
-                return report(node.source().begin, fmt::format("\"{}\" has no values", name), "[1, 2, 5] or \"0..7\"");
-            for (const toml::node& each : *array)
-                values += (values.empty() ? "" : ",") + value_text(each);
-        } else {
-            values = value_text(node);
-        }
-        if (std::ranges::find(axes, name, &StudyAxis::name) != axes.end())
-            return report(node.source().begin, fmt::format("\"{}\" is set twice", name), "set each name once");
-        attempt_at(node, [&] { axes.push_back({name, read_values(name, values)}); });
-    }
-
     void read_programs(const toml::node& node) {
         if (const toml::table* table = node.as_table())
             for (const auto& [key, value] : *table)
@@ -473,13 +388,6 @@ private:
         else
             report(node.source().begin, "expected a table of programs and kinds",
                    "use = {\"sim.lku\" = \"ga.master\"}");
-    }
-
-    std::vector<std::string> measures(const toml::node& node) {
-        std::vector<std::string> names = texts(node);
-        for (const std::string& each : names)
-            attempt_at(node, [&] { StudyMeasure{each}; });
-        return names;
     }
 
     std::string beside(const std::string& path) const { return (folder_ / path).lexically_normal().string(); }
@@ -496,5 +404,7 @@ private:
 } // namespace
 
 Study read_study(const std::string& path) { return StudyReader(path).read(); }
+
+std::vector<StudyKey> study_keys(StudyPart part) { return StudyReader().keys(part); }
 
 } // namespace placedpar

@@ -28,6 +28,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace placedpar {
@@ -43,6 +44,9 @@ protected:
         if (has_errors(loaded.problems))
             throw RefusedText(std::move(loaded.problems));
     }
+
+    TomlReader(std::shared_ptr<const SourceFile> source, std::string_view kind)
+        : kind_(kind), source_(std::move(source)) {}
 
     using Handler = std::function<void(const toml::node&)>;
     using Handlers = std::map<std::string, Handler>;

@@ -5,9 +5,11 @@
 #include "text/reporter.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -102,6 +104,7 @@ private:
     /// Returns whether this is the first mistake of this kind in the use of a declaration. Later mistakes of the same
     /// kind are not reported, since they probably have the same cause.
     bool is_first(const Declaration*, std::string mistake);
+    void note(const Place&, const Declaration& meaning);
     void report_unknown(const std::string& name, const Place&);
     /// Checks the declarations in order, and makes them visible. The caller must hide them with names_.leave.
     void declare(DeclarationList&);
@@ -257,7 +260,9 @@ private:
     std::unordered_map<std::string, Declaration*> predefined_;
     std::unordered_set<std::string> reported_; ///< unknown names that have been reported
     std::set<std::pair<const Declaration*, std::string>>
-        mistakes_;                             ///< declarations and mistakes for which is_first() was called
+        mistakes_; ///< declarations and mistakes for which is_first() was called
+    std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>>
+        noted_; ///< places of a configuration that are in Program::resolved: file, line and column
     std::vector<const Declaration*> declared_; ///< all checked declarations, in the order of the text
     std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;

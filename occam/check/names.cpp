@@ -100,9 +100,7 @@ bool Checker::is_first(const Declaration* declaration, std::string mistake) {
 Declaration* Checker::find(const std::string& name, const Place& place) {
     if (Declaration* const found = names_.find(name)) {
         used_.insert(found);
-        if (!program_.is_configuration) // a configuration visits a statement again at each repetition, which would
-                                        // repeat the entry
-            program_.resolved.push_back({place, found});
+        note(place, *found);
         return found;
     }
     if (Declaration* const found = predefined(name))
@@ -137,8 +135,14 @@ void Checker::add(Declaration& declaration) {
     depths_[&declaration] = routines_.size();
     names_.add(declaration);
     declared_.push_back(&declaration);
-    if (!program_.is_configuration)
-        program_.resolved.push_back({declaration.at, &declaration});
+    note(declaration.at, declaration);
+}
+
+/// Notes the meaning of a name. A configuration visits a statement again at each repetition; the name is then noted
+/// only once.
+void Checker::note(const Place& place, const Declaration& meaning) {
+    if (!program_.is_configuration || noted_.emplace(place.file, place.line, place.column).second)
+        program_.resolved.push_back({place, &meaning});
 }
 
 } // namespace placedpar::occam

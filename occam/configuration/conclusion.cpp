@@ -86,8 +86,8 @@ bool Configurer::is_local(const ChannelState& state) const {
 void Configurer::follow_arc(const Element& channel, ChannelState& state) {
     if (!state.arc)
         return;
-    const auto found = wire_of_arc_.find(*state.arc);
-    if (found == wire_of_arc_.end())
+    const auto found = configured_.wire_of_arc.find(*state.arc);
+    if (found == configured_.wire_of_arc.end())
         return checker_.report(state.placed_at, fmt::format("no connection uses the arc \"{}\"", text(*state.arc)),
                                fmt::format("write CONNECT ... TO ... WITH {}", text(*state.arc)));
     const WrittenWire& wire = configured_.wires[found->second];

@@ -52,7 +52,6 @@ MadeNetlist made_of(const std::shared_ptr<const SourceFile>& file, const std::ve
     Program& program = *parsed.program;
     MadeNetlist made;
     if (!own.failed()) {
-        program.is_configuration = true;
         const Configured configured = Configurer(program, choose, own).run();
         if (!own.failed())
             made = NetlistWriter(program, configured, own).write();

@@ -3,8 +3,20 @@
 #include "netlist/language/made_netlist.hpp"
 
 #include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace placedpar::occam {
+
+/// Describes an attribute that SET gives to a node.
+struct NodeAttribute {
+    std::string name, about;
+};
+const std::vector<NodeAttribute>& node_attributes();
+/// Returns the types that SET can give to a node.
+std::span<const std::string_view> processor_types();
 
 /// Returns whether a file is a configuration, which describes processors and their programs. The file's name ends in
 /// .pgm, or it ends in .occ and the file has a PLACED PAR at its outermost level.

@@ -88,6 +88,7 @@ struct Configured {
     std::vector<Object> objects; ///< the first is the edge HOST
     std::map<Element, NodeState> nodes;
     std::vector<WrittenWire> wires;
+    std::map<Element, std::size_t> wire_of_arc; ///< index in `wires` of the wire that the arc names
     std::vector<PlacedProcess> processes;
     std::vector<Element> channel_order; ///< channels in the order of their first use
     std::map<Element, ChannelState> channels;

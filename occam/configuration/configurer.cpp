@@ -23,13 +23,13 @@ constexpr const char* allowed_in_software =
 
 Configurer::Configurer(Program& program, const ValChoice& choose, Reporter& reporter)
     : program_(program), choose_(choose), reporter_(reporter), checker_(program, reporter) {
-    program_.has_channel_tables = true;
+    program_.has_channel_tables = program_.is_configuration = true;
 }
 
 /// Makes the names HOST, HIGH and LOW visible. A configuration may declare other things with these names.
 void Configurer::add_predefined() {
     const auto add = [&](const std::string& name, const Type* type) -> Declaration& {
-        Declaration& declaration = *predefined_.emplace_back(std::make_unique<Declaration>());
+        Declaration& declaration = *program_.predefined.emplace_back(std::make_unique<Declaration>());
         declaration.name = name;
         declaration.form = ReplicatorIndex{};
         declaration.type = type;

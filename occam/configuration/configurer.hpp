@@ -116,9 +116,7 @@ private:
     Reporter& reporter_;
     Checker checker_;
     Configured configured_;
-    std::vector<DeclarationBox> predefined_; ///< HOST, HIGH and LOW
     std::map<const Declaration*, Selection> selections_;
-    std::map<Element, std::size_t> wire_of_arc_;
     std::map<std::int64_t, Element> numbered_;
     std::map<Element, std::vector<WireEnd>> links_used_; ///< for each node, the ends of its wires at this node
     Part part_ = Part::software;

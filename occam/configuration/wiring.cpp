@@ -1,3 +1,5 @@
+#include "netlist/network/names.hpp"
+#include "occam/configuration/configuration.hpp"
 #include "occam/configuration/configurer.hpp"
 #include "text/nearest.hpp"
 
@@ -12,8 +14,6 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::array processor_types = {"T805", "T801", "T800", "T425", "T414", "T400", "T225", "T222", "T212"};
-
 /// Returns the name of a type from a text such as "t800 ". Texts in a table may have blanks at the end.
 std::string type_in(const std::vector<std::uint8_t>& bytes) {
     std::string type(bytes.begin(), bytes.end());
@@ -23,6 +23,21 @@ std::string type_in(const std::vector<std::uint8_t>& bytes) {
 }
 
 } // namespace
+
+std::span<const std::string_view> processor_types() {
+    static constexpr std::array<std::string_view, 9> types = {"T805", "T801", "T800", "T425", "T414",
+                                                              "T400", "T225", "T222", "T212"};
+    return types;
+}
+
+const std::vector<NodeAttribute>& node_attributes() {
+    static const std::vector<NodeAttribute> attributes = {
+        {"type", "type of the processor, such as \"T800\""},
+        {"memsize", "size of the memory in bytes, including the memory on the chip"},
+        {"root", "whether the processor is the root; read without effect"},
+        {"romsize", "size of the ROM in bytes; read without effect"}};
+    return attributes;
+}
 
 /// Returns an end of a connection. If the end has an error, reports the error, and returns nothing.
 std::optional<WireEnd> Configurer::end_of(ConnectionEnd& end) {
@@ -65,7 +80,7 @@ void Configurer::connect(const Place& place, Connect& written) {
 
 /// States that the arc names the wire that is added next. Reports an arc that already names a wire.
 void Configurer::name_wire(const Element& arc, const Place& place) {
-    const auto [known, is_new] = wire_of_arc_.emplace(arc, configured_.wires.size());
+    const auto [known, is_new] = configured_.wire_of_arc.emplace(arc, configured_.wires.size());
     if (!is_new)
         checker_.report(place, fmt::format("the arc \"{}\" is used twice", text(arc)), "",
                         {{"first used here", at(configured_.wires[known->second].a.at)}});
@@ -74,11 +89,12 @@ void Configurer::name_wire(const Element& arc, const Place& place) {
 void Configurer::set(SetNode& written) {
     const auto node = single(written.node, Type::Kind::node, "a node");
     for (Setting& each : written.settings) {
-        static const std::vector<std::string> known = {"type", "memsize", "root", "romsize"};
         checker_.check(each.value);
-        if (std::ranges::find(known, each.name) == known.end())
+        if (!find_named(node_attributes(), each.name))
             checker_.report(each.at,
-                            unknown_name("attribute", each.name, known, "SET has the attributes type and memsize"), "");
+                            unknown_name("attribute", each.name, names_in(node_attributes()),
+                                         "SET has the attributes type and memsize"),
+                            "");
         else if (node && each.name == "type")
             set_type(configured_.nodes[*node], *node, each);
         else if (node && each.name == "memsize")
@@ -94,7 +110,7 @@ void Configurer::set_type(NodeState& state, const Element& node, Setting& settin
         return checker_.report(setting.at, fmt::format("the type of \"{}\" is set twice", text(node)), "",
                                {{"first set here", at(state.type_at)}});
     const std::string type = type_in(*setting.value.constant->bytes);
-    if (std::ranges::find(processor_types, type) == processor_types.end())
+    if (std::ranges::find(processor_types(), type) == processor_types().end())
         return checker_.report(setting.value.at, fmt::format("\"{}\" is not a type of processor", type),
                                "the types are T414, T425, T400, T800 and T805");
     state.type = type;

@@ -473,7 +473,7 @@ struct Program {
     /// If true, a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
     /// PlacedPar uses them in the program that it writes to run all processes of a node.
     bool has_channel_tables = false;
-    std::vector<ResolvedName> resolved; ///< checked: all names, except names in the parts of configurations
+    std::vector<ResolvedName> resolved; ///< checked: all names in the statements that were checked
     bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }

@@ -18,6 +18,10 @@ constexpr std::array<std::string_view, 59> keywords = {
     "REAL32", "REAL64", "REM",   "RESULT", "RETYPES", "ROUND",  "SEQ",      "SIZE",    "SKIP",      "STOP",
     "TIMER",  "TIMES",  "TRUE",  "TRUNC",  "VAL",     "VALOF",  "VECSPACE", "WHILE",   "WORKSPACE"};
 
+constexpr std::array<std::string_view, 18> words_of_configurations = {
+    "ARC", "CONFIG",  "CONNECT", "DO",   "EDGE", "HIGH", "HOST", "link", "LOW",
+    "MAP", "MAPPING", "NETWORK", "NODE", "ON",   "ONTO", "SET",  "TO",   "WITH"};
+
 constexpr std::array<std::string_view, 16> operator_words = {"AFTER", "AND",  "BITAND", "BITNOT", "BITOR", "FOR",
                                                              "FROM",  "IS",   "MINUS",  "NOT",    "OR",    "PLUS",
                                                              "REM",   "SIZE", "TIMES",  "RETYPES"};
@@ -50,6 +54,8 @@ std::string_view directive_of(std::string_view line) {
 }
 
 std::span<const std::string_view> all_keywords() { return keywords; }
+
+std::span<const std::string_view> configuration_words() { return words_of_configurations; }
 
 bool is_keyword(std::string_view text) { return std::ranges::find(keywords, text) != keywords.end(); }
 

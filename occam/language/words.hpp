@@ -46,6 +46,8 @@ struct Word {
 /// the language expects this keyword, so that old programs can use it as a name.
 bool is_keyword(std::string_view text);
 std::span<const std::string_view> all_keywords();
+/// Returns the words that only configurations have. They are names for the scanner.
+std::span<const std::string_view> configuration_words();
 /// Returns a text for messages, such as: the name "x", the keyword "SEQ", ":=", the end of the line.
 std::string describe(const Word&);
 /// Returns whether a line that ends with this word continues on the next line: the word is an operator, `,`, `:=`, `IS`

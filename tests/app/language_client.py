@@ -4,8 +4,12 @@ import json
 import os
 import pathlib
 import queue
+import random
 import subprocess
+import tempfile
 import threading
+import time
+import unittest
 
 from program import PROGRAM
 
@@ -160,3 +164,63 @@ class LanguageClient:
         self.process.stdin.close()
         self.process.stdout.close()
         return code
+
+
+class LanguageTest(unittest.TestCase):
+    """Has an editor and a folder, and asks about the places of texts."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name).resolve()
+        self.client = LanguageClient()
+        self.addCleanup(self.client.end)
+
+    def open(self, name, text, language="placedpar-netlist"):
+        path = self.folder / name
+        path.write_text(text)
+        return self.client.open(path, text, language)
+
+    def underlined(self, uri):
+        return [self.client.underlined(uri, each) for each in self.client.checked(uri)]
+
+    def labels(self, uri, words, behind=0):
+        answer = self.client.request("textDocument/completion", self.client.at(uri, words, behind))
+        return [item["label"] for item in answer["items"]]
+
+    def hover(self, uri, words, behind=0):
+        answer = self.client.request("textDocument/hover", self.client.at(uri, words, behind))
+        return answer["contents"]["value"] if answer else ""
+
+    def definition(self, uri, words, behind=0):
+        return self.client.request("textDocument/definition", self.client.at(uri, words, behind))
+
+    def seconds_an_edit(self, uri, digit):
+        """Returns the processor time of an edit of the last character of `digit`, which is a digit."""
+        self.assertEqual(self.client.checked(uri), [])
+        times, begun = [], self.client.processor_seconds()
+        for number in range(10):
+            sent = time.monotonic()
+            where = self.client.texts[uri].index(digit) + len(digit) - 1
+            self.client.edit(uri, (where, where + 1, str(number)))
+            self.assertEqual(self.client.checked(uri), [])
+            times.append(time.monotonic() - sent)
+            digit = digit[:-1] + str(number)
+        processor = (self.client.processor_seconds() - begun) / len(times)
+        print(f"{uri.rsplit('/')[-1]}: an edit in {self.client.texts[uri].count(chr(10))} lines takes "
+              f"{1000 * sorted(times)[5]:.0f} ms, {1000 * processor:.0f} ms of a processor", flush=True)
+        return processor
+
+    def survives(self, uri, text, seed):
+        """Replaces the text by random parts of a text, and asks about random places of them."""
+        rng = random.Random(seed)
+        for _ in range(40):
+            some = [line[:rng.randint(0, len(line))] if rng.random() < 0.1 else line
+                    for line in text.split("\n") if rng.random() > 0.05]
+            self.client.edit(uri, (0, len(self.client.texts[uri]), "\n".join(some)))
+            for _ in range(5):
+                now = self.client.texts[uri]
+                place = {"textDocument": {"uri": uri}, "position": position(now, rng.randint(0, len(now)))}
+                for method in ("hover", "completion", "definition"):
+                    self.client.request("textDocument/" + method, place)
+        self.client.checked(uri)

@@ -1,14 +1,11 @@
 """Tests placedpar language-server as an editor uses it: texts that are edited, questions, and wrong messages."""
 
 import json
-import pathlib
 import random
 import re
-import tempfile
-import time
 import unittest
 
-from language_client import LanguageClient, position
+from language_client import LanguageClient, LanguageTest, position
 from program import EXAMPLES, placedpar
 
 NETLIST = """/* \u00e9\U0001f600 */ val n 3; /* number */
@@ -44,33 +41,7 @@ PROC main (CHAN OF SP fs, ts)
 """
 
 
-class LanguageServer(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name).resolve()
-        self.client = LanguageClient()
-        self.addCleanup(self.client.end)
-
-    def open(self, name, text, language="placedpar-netlist"):
-        path = self.folder / name
-        path.write_text(text)
-        return self.client.open(path, text, language)
-
-    def underlined(self, uri):
-        return [self.client.underlined(uri, each) for each in self.client.checked(uri)]
-
-    def labels(self, uri, words, behind=0):
-        answer = self.client.request("textDocument/completion", self.client.at(uri, words, behind))
-        return [item["label"] for item in answer["items"]]
-
-    def hover(self, uri, words, behind=0):
-        answer = self.client.request("textDocument/hover", self.client.at(uri, words, behind))
-        return answer["contents"]["value"] if answer else ""
-
-    def definition(self, uri, words, behind=0):
-        return self.client.request("textDocument/definition", self.client.at(uri, words, behind))
-
+class LanguageServer(LanguageTest):
     # Diagnostics
 
     def test_an_error_is_underlined_as_one_types_and_goes(self):
@@ -413,19 +384,7 @@ if a == b {
         lines = "".join(f"    x := (x + {i}) /\\ 255\n" for i in range(10_000))
         occam = self.open("a.occ", "PROC p ()\n  INT x:\n  SEQ\n    x := 0\n" + lines + ":\n", "occam")
         for uri, digit in ((netlist, "val last 1"), (occam, "x + 5000")):
-            self.assertEqual(self.client.checked(uri), [])
-            times, begun = [], self.client.processor_seconds()
-            for number in range(10):
-                sent = time.monotonic()
-                where = self.client.texts[uri].index(digit) + len(digit) - 1
-                self.client.edit(uri, (where, where + 1, str(number)))
-                self.assertEqual(self.client.checked(uri), [])
-                times.append(time.monotonic() - sent)
-                digit = digit[:-1] + str(number)
-            processor = (self.client.processor_seconds() - begun) / len(times)
-            print(f"{uri.rsplit('/')[-1]}: an edit in 10,000 lines takes {1000 * sorted(times)[5]:.0f} ms, "
-                  f"{1000 * processor:.0f} ms of a processor", flush=True)
-            self.assertLess(processor, 0.1)
+            self.assertLess(self.seconds_an_edit(uri, digit), 0.1)
 
     def test_questions_about_ten_thousand_lines(self):
         """Each takes less than a second of a processor, with thousands of names, places or changes."""

@@ -108,6 +108,7 @@ SEEDS = {
                        for pattern in ("csp/*/*.cfs", "occam/*/*.occ", "occam/*/*.pgm", "explore/*/*.toml")
                        for path in sorted((TREE / "examples").glob(pattern))],
     "words": lambda: files("examples/**/*.cfs"),
+    "keys": lambda: files("examples/**/*.toml"),
     "arguments": lambda: texts_of("tests/explore/**/*.cpp", "tests/report/*.cpp"),
 }
 

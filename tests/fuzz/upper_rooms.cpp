@@ -5,6 +5,7 @@
 #include "app/record/scenario_record.hpp"
 #include "editor/language/completion.hpp"
 #include "editor/language/navigation.hpp"
+#include "editor/language/study_text.hpp"
 #include "editor/protocol/message_stream.hpp"
 #include "editor/server.hpp"
 #include "explore/generate/generate.hpp"
@@ -14,6 +15,7 @@
 #include "explore/study/results.hpp"
 #include "explore/study/setting_value.hpp"
 #include "explore/study/study_file.hpp"
+#include "explore/study/study_names.hpp"
 #include "explore/study/summary.hpp"
 #include "explore/time_text.hpp"
 #include "gaprocs/initial_population.hpp"
@@ -380,6 +382,24 @@ void ask_about_netlist(const std::string& text) {
     }
 }
 
+/// Asks about every few places of a study.
+void ask_about_study(const std::string& text) {
+    static const Catalogue kinds;
+    const StudyNames names{
+        .settings = {{"master.trials", {}}, {"slaves", {}}}, .measures = {{"t.busy", {}}}, .programs = {}};
+    const auto file = std::make_shared<const SourceFile>("/nowhere/input.toml", text);
+    const editor::StudyText words = editor::read_study_text(text);
+    for (std::size_t end = 0; end <= text.size() && end < 3000; end += 3)
+        editor::complete_study(editor::read_study_text(std::string_view(text).substr(0, end)), names, kinds);
+    for (const editor::StudyWord& each : words.words)
+        require(each.first <= each.end && each.end <= text.size(), "a word is in the text");
+    for (std::size_t line = 1; line < 30 && !file->line(line).empty(); ++line)
+        for (std::size_t column = 1; column < 100 && column <= file->line(line).size() + 1; column += 3) {
+            editor::hover_study(words, names, {file, line, column});
+            editor::definition_in_study(words, names, {file, line, column});
+        }
+}
+
 void read_arguments(const std::string& text) {
     attempt_to([&] { parse_time(text); });
     attempt_to([&] { StudyMeasure{text}; });
@@ -416,7 +436,7 @@ std::span<const Reader> readers() {
                                  {"answer", read_answer},         {"places", read_place},
                                  {"request", read_request},       {"job", read_job},
                                  {"command", read_words},         {"editor", serve_an_editor},
-                                 {"words", ask_about_netlist}};
+                                 {"words", ask_about_netlist},    {"keys", ask_about_study}};
     return all;
 }
 
