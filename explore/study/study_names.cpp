@@ -89,7 +89,7 @@ void add_measures(StudyNames& names, const Network& network, const Catalogue& ca
 std::optional<StudyNames> names_for_study(const std::filesystem::path& netlist, const ReadOptions& options,
                                           const Catalogue& catalogue, const ProblemRegistry& problems) {
     ReadOptions read = options;
-    read.make_netlist = netlist_maker({}, [](const std::string&) {});
+    read.make_netlist = netlist_maker({});
     try {
         const Network network = load_network(ParsedNetlist(netlist, read), {}, catalogue, [](const std::string&) {});
         StudyNames names;

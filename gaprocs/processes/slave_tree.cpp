@@ -64,9 +64,11 @@ public:
         if (results == from.end() || end_beyond(n_, *results).process != to.process ||
             base_name(end_beyond(n_, *results).port) != "to_master")
             return complain(process, results == from.end() ? tasks : *results,
-                            fmt::format("\"{}\" leads to the slave \"{}\", but \"{}\" is connected to \"{}\"",
+                            fmt::format("\"{}\" leads to the slave \"{}\", but \"{}\" is connected to {}",
                                         name(process, tasks.port), slave, name(process, port),
-                                        results == from.end() ? "nothing" : shown(n_, end_beyond(n_, *results))),
+                                        results == from.end()
+                                            ? "nothing"
+                                            : fmt::format("\"{}\"", shown(n_, end_beyond(n_, *results)))),
                             fmt::format("connect {}.to_master to {};", slave, name(process, port)));
         tree.slaves.push_back(to.process);
         follow(to.process);

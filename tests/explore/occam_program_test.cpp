@@ -37,7 +37,7 @@ OccamCheck check_of(const std::string& text, const occam::SourceOptions& wanted 
 
 Network network_of_program(const std::filesystem::path& path, const ProgramMachine& machine,
                            const Overrides& set = {}) {
-    return load_network(path, set, known_problems(1), quiet, {.make_netlist = netlist_maker(machine, quiet)});
+    return load_network(path, set, known_problems(1), quiet, {.make_netlist = netlist_maker(machine)});
 }
 
 constexpr const char* does_nothing = "PROC p ()\n  SKIP\n:\n";

@@ -27,7 +27,7 @@ Network student_program(const std::string& process) {
                                                "  #USE \"hostio.lib\"\n" +
                                                    process + ":\n");
     const auto silent = [](const std::string&) {};
-    return load_network(path, {}, known_problems(1), silent, {.make_netlist = netlist_maker({}, silent)});
+    return load_network(path, {}, known_problems(1), silent, {.make_netlist = netlist_maker({})});
 }
 
 SolutionVerdict verdict_on(const std::string& process, const std::string& expected) {
