@@ -58,6 +58,9 @@ namespace placedpar::monitor {
 using namespace hydraulics;
 using namespace identification;
 
+template <>
+inline constexpr bool may_be_missing<std::optional<MovingDiagnosisState>> = true;
+
 namespace {
 
 void require_together(bool together, const char* what) {

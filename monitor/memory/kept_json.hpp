@@ -54,6 +54,10 @@ void for_each_double(T& value, Use& use) {
         for_each_member(value, [&](const std::string&, auto& member) { for_each_double(member, use); });
 }
 
+/// Whether a member of type T may be missing, because earlier versions of the program did not have it.
+template <typename T>
+inline constexpr bool may_be_missing = false;
+
 /// Converts values to JSON and back to the same bits, using their descriptions by Boost.Describe. A struct becomes an
 /// object with a field for each member; a class with a function `state()` is stored as the result of this function. A
 /// value or a list that consists of doubles only becomes one text (exact_text.hpp).
@@ -202,11 +206,10 @@ private:
         });
         require_count(json.size(), "members", count);
     }
-    /// An optional member may be missing, because an earlier version of the program did not have it.
     template <typename T>
     static void leave_out(T& member) {
-        if constexpr (requires { member.reset(); })
-            member.reset();
+        if constexpr (may_be_missing<T>)
+            member = {};
         else
             throw std::runtime_error("it is missing");
     }

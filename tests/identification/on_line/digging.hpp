@@ -9,17 +9,28 @@
 #include "tests/random_job.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
 
 namespace placedpar::identification {
 
-/// Returns a record of a machine that digs. Throws UnfitScenario for a job that the machine cannot do. The simulated
-/// machine lets some pressures fall below vacuum, which no real machine does: such a job is unfit, too.
-inline hydraulics::Record dug(std::uint64_t seed, double seconds, double boom_factor = 1) {
+/// A machine that digs for a while. One link has `factor` times the compliance of a sound machine.
+struct Digger {
+    std::string link = "boom";
+    double factor = 1;
+    hydraulics::MeasurementNoise noise = hydraulics::low_noise;
+    double seconds = 60;
+};
+
+/// Returns a record of a random job. Throws UnfitScenario for a job that the machine cannot do. The simulated machine
+/// lets some pressures fall below vacuum, which no real machine does: such a job is unfit, too.
+inline hydraulics::Record dug(std::uint64_t seed, const Digger& digger = {}) {
     auto parameters = hydraulics::Parameters::excavator();
-    parameters.set("boom.inlet_compliance", boom_factor * parameters["boom.inlet_compliance"]);
+    const std::string compliance = digger.link + ".inlet_compliance";
+    parameters.set(compliance, digger.factor * parameters[compliance]);
     const hydraulics::MovingExcavator machine = moving_excavator(parameters);
     RandomStream random(seed, "sensors");
-    hydraulics::Record record = measure_moving(machine, random_job(seed, machine, seconds), hydraulics::low_noise,
+    hydraulics::Record record = measure_moving(machine, random_job(seed, machine, digger.seconds), digger.noise,
                                                [&] { return random.uniform(); });
     for (hydraulics::Link link : hydraulics::all_links)
         if (std::ranges::min(record.of(link, hydraulics::Sensor::inlet_pressure)) < hydraulics::vacuum_psi)
