@@ -142,25 +142,34 @@ const SetProblem& Diagnosis::problem(LinkSet set) {
     return place->second;
 }
 
-void Diagnosis::change(const RecognisedConfiguration&) {
+bool Diagnosis::can_recognise() const { return MovingDiagnosis::suits(sampling_.period_s()); }
+
+SampleOutcome Diagnosis::change(const RecognisedConfiguration&) {
+    SampleOutcome outcome;
     if (moving_)
-        return;
+        return outcome;
     restart_windows();
+    judge(outcome); // the movements that have ended
     make_moving();
     state_->configuration = moving_->configuration();
     state_->active = {};
+    return outcome;
 }
 
-void Diagnosis::change(const ConfigurationChange& change) {
+SampleOutcome Diagnosis::change(const ConfigurationChange& change) {
+    SampleOutcome outcome;
     if (!moving_ && state_->configuration == change.configuration && state_->active == change.active)
-        return;
+        return outcome;
     restart_windows(); // for the sets of the old configuration
-    moving_.reset();
+    const bool recognised = std::exchange(moving_, nullptr) != nullptr;
     state_->configuration = change.configuration;
     state_->active = change.active;
     for (Link link : all_links)
         if (!state_->active.contains(link))
             state_->tracks[index_of(link)] = {}; // readings of an inactive link are not kept
+    if (recognised)
+        update_alarms(outcome);
+    return outcome;
 }
 
 void Diagnosis::restart_windows() {
@@ -260,6 +269,9 @@ std::size_t Diagnosis::recognise() {
         reading.piston_in3[i] = newest.piston_in3;
     }
     const std::size_t generations = moving_->take(reading, *state_->sample_s);
+    for (Link link : all_links)
+        if (state_->tracks[index_of(link)].spikes(sampling_.period_s()))
+            note_impossible(link);
     state_->judged |= generations > 0;
     state_->configuration = moving_->configuration();
     state_->active = moving_->driven();
@@ -388,6 +400,8 @@ LinkVerdict Diagnosis::verdict(Link link) const {
 
 double Diagnosis::baseline_in3_per_psi(Link link) const {
     const double health = state_->health_in3_per_psi[index_of(link)];
+    if (moving_)
+        return health;
     for (const auto& [set, state] : state_->watches)
         if (set.contains(link))
             if (auto own = LinkJudge(state.judges[position_in(set, link)]).baseline())
@@ -423,11 +437,23 @@ SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
     return outcome;
 }
 
+bool Diagnosis::stays(const Alarm& alarm) const {
+    if (!moving_ || alarm.kind == AlarmKind::sensor)
+        return false;
+    return std::ranges::any_of(links_of(alarm.links), [&](Link link) {
+        const VerdictKind kind = verdict(link).verdict.kind;
+        return kind == VerdictKind::not_enough_evidence || kind == VerdictKind::cannot_tell;
+    });
+}
+
 void Diagnosis::update_alarms(SampleOutcome& outcome) {
     PerLink<LinkVerdict> verdicts;
     for (Link link : all_links)
         verdicts[index_of(link)] = verdict(link);
     std::vector<Alarm> now = find_alarms(verdicts);
+    for (const Alarm& alarm : without(state_->alarms, now))
+        if (stays(alarm))
+            now.push_back(alarm);
     outcome.raised = without(now, state_->alarms);
     outcome.cleared = without(state_->alarms, now);
     state_->alarms = std::move(now);

@@ -94,25 +94,30 @@ public:
     /// among several verdicts the verdict from the most movements.
     LinkVerdict verdict(hydraulics::Link link) const;
     /// Returns the compliance with which the link is compared: the value from the link's first movements, or else
-    /// health_in3_per_psi().
+    /// health_in3_per_psi(). While the configuration is recognised, it is always health_in3_per_psi().
     double baseline_in3_per_psi(hydraulics::Link link) const;
 
     /// Records that a control system has connected, so the time of its samples may restart.
     void connected();
     /// Changes configuration and active links. Does nothing if both are unchanged; otherwise the windows restart. Ends
-    /// the recognition of the configuration and forgets what was found by it.
-    void change(const ConfigurationChange& change);
+    /// the recognition of the configuration and forgets what was found by it, with its alarms. Returns the alarms
+    /// raised or cleared.
+    SampleOutcome change(const ConfigurationChange& change);
+    /// Returns whether configurations can be recognised at the rate of the readings (MovingDiagnosis::suits()).
+    bool can_recognise() const;
     /// Begins to recognise configuration and active links from the readings (MovingDiagnosis). Each sample must then
-    /// have the readings of all links. Does nothing if the recognition has already begun.
-    void change(const RecognisedConfiguration&);
-    /// Sets compliances of healthy links and forgets the judgements of these links. Returns the alarms raised or
-    /// cleared.
+    /// have the readings of all links. Active alarms stay until the links are judged. Does nothing if the recognition
+    /// has already begun. REQUIRES: can_recognise().
+    SampleOutcome change(const RecognisedConfiguration&);
+    /// Sets compliances of healthy links and forgets the judgements of these links by movements. Returns the alarms
+    /// raised or cleared.
     SampleOutcome set_baseline(const Baseline& baseline);
     /// Processes the readings of one instant. Throws RefusedSample if there is no configuration yet, or if a reading of
     /// an active link is missing. Also throws it if the sample is not later than the last sample, unless connected()
     /// has been called since.
     SampleOutcome take(const ExcavatorSample& sample);
-    /// Ends and judges all movements. Call this function when no sample will follow for a while.
+    /// Ends and judges all movements. Call this function when no sample will follow for a while. While the
+    /// configuration is recognised, this function only restarts the windows.
     SampleOutcome end_movements();
     /// Returns the set's movement in progress; null if there is none.
     const Movement::State* movement(hydraulics::LinkSet set) const;
@@ -145,6 +150,8 @@ private:
     PopulationSet& population(hydraulics::LinkSet set);
     void judge(SampleOutcome& outcome);
     void update_alarms(SampleOutcome& outcome);
+    /// Returns whether an active alarm stays: while the configuration is recognised, only a sound link clears an alarm.
+    bool stays(const Alarm& alarm) const;
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;

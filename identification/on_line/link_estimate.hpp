@@ -32,8 +32,9 @@ public:
         double settled_time_s = 0;            ///< time of the sample that last changed the newest settled value
         double excitation_psi_per_s = 0;      ///< rms slope of the inlet pressure over the window
         bool excited = false;                 ///< whether the gate (excitation_gate.hpp) was open at the newest sample
-        bool fits = true;                     ///< whether the best individual had positive fitness
-        bool settled = false;                 ///< whether the estimate has settled in the present transient
+        bool fits =
+            true; ///< whether the best individual had positive fitness, and after answer() whether it is confirmed
+        bool settled = false; ///< whether the estimate has settled in the present transient
         std::size_t generations_in_transient = 0;
 
         friend bool operator==(const State&, const State&) = default;

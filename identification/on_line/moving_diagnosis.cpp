@@ -34,6 +34,19 @@ Deviation of_compliance(double units, double standard_error) {
     return deviation;
 }
 
+/// Returns the estimates as the answer of a search.
+SetAnswer answer_of(LinkSet set, const std::vector<LinkEstimate>& estimates) {
+    SetAnswer answer{set, "", 0, 0, {}};
+    for (std::size_t i = 0; i < estimates.size(); ++i) {
+        LinkIdentified link{links_of(set)[i], *estimates[i].compliance_in3_per_psi(),
+                            estimates[i].state().standard_error_in3_per_psi};
+        if (!estimates[i].state().fits)
+            link.flags.push_back({FlagKind::unconfirmed, ""});
+        answer.links.push_back(std::move(link));
+    }
+    return answer;
+}
+
 /// Sets kind, probability and deviation of the verdict on a link without a flag.
 void judge(const LinkIdentified& link, double health_in3_per_psi, Verdict& verdict) {
     const double unit = WayUnits::of(health_in3_per_psi).compliance_in3_per_psi;
@@ -68,7 +81,6 @@ void MovingDiagnosis::go_on_from(MovingDiagnosisState state) {
 }
 
 std::size_t MovingDiagnosis::take(const ValveReading& sample, double time_s) {
-    const std::vector<LinkSet> before = search_.in_use();
     std::size_t generations = 0;
     const std::vector<LinkSet> made = search_.take(sample, time_s);
     for (LinkSet set : made) {
@@ -78,6 +90,11 @@ std::size_t MovingDiagnosis::take(const ValveReading& sample, double time_s) {
     if (!made.empty())
         combine();
     return generations;
+}
+
+void MovingDiagnosis::note_impossible(Link link) {
+    impossible_[index_of(link)] = search_.readings();
+    restart();
 }
 
 void MovingDiagnosis::restart() { search_.restart(); }
@@ -90,14 +107,16 @@ void MovingDiagnosis::note_round(LinkSet set, double time_s) {
         const LinkIdentified& link = answer.links[i];
         estimates[i].answer(link.compliance_in3_per_psi, link.standard_error, time_s,
                             !link.flagged(FlagKind::unconfirmed));
-        impossible_[index_of(link.link)] = false;
+        std::optional<std::size_t>& impossible = impossible_[index_of(link.link)];
+        if (impossible && search_of(set).newest_index() >= *impossible + ConfigurationWatch::span)
+            impossible.reset();
     }
 }
 
 void MovingDiagnosis::combine() {
     std::vector<SetAnswer> answers;
     for (const auto& [set, estimates] : estimates_)
-        answers.push_back(search_of(set).answer_so_far());
+        answers.push_back(answer_of(set, estimates));
     combined_ = combined_links(answers);
 }
 
@@ -130,7 +149,9 @@ LinkVerdict MovingDiagnosis::verdict(Link link, double health_in3_per_psi) const
     const auto found = std::ranges::find(combined_, link, &LinkIdentified::link);
     if (impossible_[index_of(link)])
         verdict.kind = VerdictKind::sensor;
-    else if (verdict.movements >= fewest_rounds && found != combined_.end() && found->flags.empty())
+    else if (verdict.movements >= fewest_rounds && (found == combined_.end() || !found->flags.empty()))
+        verdict.kind = VerdictKind::cannot_tell;
+    else if (verdict.movements >= fewest_rounds)
         judge(*found, health_in3_per_psi, verdict);
     return {verdict, units};
 }

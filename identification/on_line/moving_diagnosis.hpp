@@ -29,8 +29,12 @@ public:
     /// choice).
     static constexpr double least_share = WayUnits::compliance_share, least_errors = 3;
 
-    /// `period_s` is the time between samples. `name` is the name of the excavator, and part of the names of the random
-    /// streams.
+    /// The method is made for samples 20 ms apart. Returns whether it also works with samples `period_s` apart: from
+    /// .018 to .025 s (found by trying).
+    static bool suits(double period_s) { return period_s >= 0.018 - 1e-9 && period_s <= 0.025 + 1e-9; }
+
+    /// `period_s` is the time between samples. REQUIRES: suits(period_s). `name` is the name of the excavator, and part
+    /// of the names of the random streams.
     MovingDiagnosis(const ExcavatorParameters& parameters, double period_s, std::uint64_t seed,
                     const std::string& name);
 
@@ -42,15 +46,17 @@ public:
     std::size_t take(const hydraulics::ValveReading& sample, double time_s);
     /// Forgets the last samples after a gap, but keeps estimates and populations.
     void restart();
-    /// Records an impossible reading.
-    void note_impossible(hydraulics::Link link) { impossible_[index_of(link)] = true; }
+    /// Records an impossible reading, and forgets the last samples, which may contain it.
+    void note_impossible(hydraulics::Link link);
 
     hydraulics::Configuration configuration() const { return search_.configuration(); }
     /// Returns the links into which oil flowed at the last sample.
     hydraulics::LinkSet driven() const;
     /// Returns the estimates of the set; nullopt if its search has not made a round.
     std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
-    /// Returns the verdict on the link: sound, a changed compliance, impossible readings, or not enough evidence.
+    /// Returns the verdict on the link: sound, a changed compliance, impossible readings, not enough evidence (fewer
+    /// than `fewest_rounds` rounds), or `cannot_tell` (the sets disagree, or the answer is uncertain or not confirmed
+    /// by least squares).
     LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const;
 
 private:
@@ -61,8 +67,8 @@ private:
 
     MovingSearch search_;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates_;
-    hydraulics::PerLink<bool> impossible_{};
-    std::vector<LinkIdentified> combined_; ///< the answers of all sets, combined
+    hydraulics::PerLink<std::optional<std::size_t>> impossible_{}; ///< as in MovingDiagnosisState
+    std::vector<LinkIdentified> combined_;                         ///< combines the estimates of all sets
 };
 
 } // namespace placedpar::identification

@@ -39,6 +39,8 @@ public:
     std::vector<hydraulics::LinkSet> take(const hydraulics::ValveReading&, double time_s);
     /// Forgets the last readings after a gap, but keeps all samples and populations.
     void restart();
+    /// Returns the number of readings taken.
+    std::size_t readings() const { return state_.readings; }
     /// Returns the configuration at the last reading.
     hydraulics::Configuration configuration() const { return state_.configuration; }
     /// Returns the sets of links into which oil flowed at the last reading.

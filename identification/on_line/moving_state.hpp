@@ -63,8 +63,9 @@ struct MovingSearchState {
 struct MovingDiagnosisState {
     MovingSearchState search;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates; ///< in the order of links_of()
-    /// Whether the link had an impossible reading since the last round of a set that contains it.
-    hydraulics::PerLink<bool> impossible{};
+    /// Index of the link's last impossible reading, until a set that contains the link has been searched with samples
+    /// of later readings.
+    hydraulics::PerLink<std::optional<std::size_t>> impossible{};
 
     friend bool operator==(const MovingDiagnosisState&, const MovingDiagnosisState&) = default;
 };

@@ -40,6 +40,14 @@ std::size_t SetSearch::samples() const {
     return count;
 }
 
+std::size_t SetSearch::newest_index() const {
+    std::size_t newest = 0;
+    for (const auto& [configuration, part] : parts_)
+        if (!part.of.samples.empty())
+            newest = std::max(newest, part.of.samples.back().index);
+    return newest;
+}
+
 SetSearch::Part& SetSearch::part_of(Configuration configuration) {
     return parts_
         .try_emplace(configuration,

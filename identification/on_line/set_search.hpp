@@ -45,6 +45,8 @@ public:
     std::size_t rounds() const { return rounds_; }
     std::uint64_t generations() const { return search_.generation(); }
     std::size_t samples() const; ///< number of samples kept
+    /// Returns the index of the newest sample. REQUIRES: there is a sample.
+    std::size_t newest_index() const;
     /// Returns the answer of the rounds made so far. REQUIRES: a round has been made.
     SetAnswer answer_so_far() const;
     /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace placedpar::hydraulics {
 
@@ -156,6 +157,19 @@ void require_whole(LinkSet links, const SetSearchState& search) {
         "the search of a set");
 }
 
+bool is_finite(const PerLink<double>& values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+void require_whole(const ConfigurationWatch::State& watch) {
+    const ValveInterval& last = watch.last;
+    require_together(watch.recent.size() <= ConfigurationWatch::span + 1 &&
+                         (watch.recent.empty() || watch.recent.back() == last) && is_finite(last.junction_psi) &&
+                         is_finite(last.oil_in3_per_s) && is_finite(last.forward_s) &&
+                         is_finite(last.end.links.inlet_psi) && is_finite(last.end.piston_in3),
+                     "the recognised configuration");
+}
+
 void require_whole(const MovingDiagnosisState& moving) {
     for (const auto& [links, search] : moving.search.searches)
         require_whole(links, search);
@@ -165,13 +179,14 @@ void require_whole(const MovingDiagnosisState& moving) {
                          "a sample that waits");
     for (const auto& [links, estimates] : moving.estimates) {
         auto search = moving.search.searches.find(links);
-        require_together(search != moving.search.searches.end() && search->second.rounds > 0 &&
-                             estimates.size() == links.size(),
-                         "the estimates of a set");
+        require_together(
+            search != moving.search.searches.end() && search->second.rounds > 0 && estimates.size() == links.size() &&
+                std::ranges::all_of(estimates,
+                                    [](const LinkEstimate& each) { return each.compliance_in3_per_psi().has_value(); }),
+            "the estimates of a set");
     }
-    require_together(moving.search.watch.recent.size() <= ConfigurationWatch::span + 1 &&
-                         std::ranges::none_of(moving.search.in_use, &LinkSet::empty),
-                     "the recognised configuration");
+    require_whole(moving.search.watch);
+    require_together(std::ranges::none_of(moving.search.in_use, &LinkSet::empty), "the recognised configuration");
 }
 
 void require_whole(const Diagnosis::State& state, const DiagnosisSettings& settings) {
@@ -184,8 +199,13 @@ void require_whole(const Diagnosis::State& state, const DiagnosisSettings& setti
         require_whole(links, set, settings);
     for (const auto& [links, watch] : state.watches)
         require_whole(links, watch, sampling);
-    if (state.moving)
-        require_whole(*state.moving);
+    if (!state.moving)
+        return;
+    require_whole(*state.moving);
+    require_together(MovingDiagnosis::suits(sampling.period_s()) &&
+                         state.configuration == state.moving->search.configuration &&
+                         (state.time_s || state.moving->estimates.empty()),
+                     "the recognised configuration");
 }
 
 } // namespace

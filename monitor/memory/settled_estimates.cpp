@@ -5,23 +5,36 @@ namespace placedpar::monitor {
 using namespace hydraulics;
 using namespace identification;
 
+namespace {
+
+/// Calls use(recognised, set, index of the link, estimate) for each estimate in reported and recognised configurations.
+template <typename Use>
+void for_each_estimate(const Diagnosis& diagnosis, Use use) {
+    for (const auto& [set, population] : diagnosis.sets())
+        for (std::size_t i = 0; i < set.size(); ++i)
+            use(false, set, i, population.state().estimates[i].state());
+    if (diagnosis.recognises())
+        for (const SetEstimates& set : diagnosis.estimates())
+            for (std::size_t i = 0; i < set.links.size(); ++i)
+                use(true, set.set, i, set.links[i].state());
+}
+
+} // namespace
+
 SettledEstimates::SettledEstimates(const Diagnosis& diagnosis) {
-    for (const SetEstimates& set : diagnosis.estimates())
-        for (std::size_t i = 0; i < set.links.size(); ++i)
-            before_[{set.set, i}] = {set.links[i].state().settled, set.links[i].state().settled_time_s};
+    for_each_estimate(diagnosis, [&](bool recognised, LinkSet set, std::size_t i, const LinkEstimate::State& e) {
+        before_[{recognised, set, i}] = {e.settled, e.settled_time_s};
+    });
 }
 
 std::vector<KeptEstimate> SettledEstimates::ended(const Diagnosis& diagnosis, double at) const {
     std::vector<KeptEstimate> ended;
-    for (const SetEstimates& set : diagnosis.estimates())
-        for (std::size_t i = 0; i < set.links.size(); ++i) {
-            const LinkEstimate::State& e = set.links[i].state();
-            if (!has_ended({set.set, i}, e))
-                continue;
-            ended.push_back({diagnosis.name(), at, e.settled_time_s, std::string(name_of_set(set.set)),
-                             std::string(symbol_of(links_of(set.set)[i])), e.settled_in3_per_psi.back(),
+    for_each_estimate(diagnosis, [&](bool recognised, LinkSet set, std::size_t i, const LinkEstimate::State& e) {
+        if (has_ended({recognised, set, i}, e))
+            ended.push_back({diagnosis.name(), at, e.settled_time_s, std::string(name_of_set(set)),
+                             std::string(symbol_of(links_of(set)[i])), e.settled_in3_per_psi.back(),
                              e.settled_error_in3_per_psi});
-        }
+    });
     return ended;
 }
 

@@ -18,6 +18,7 @@ public:
 
 private:
     struct SettledLink {
+        bool recognised; ///< whether the estimate was found in a recognised configuration
         hydraulics::LinkSet set;
         std::size_t link; ///< index of the link in the set
 

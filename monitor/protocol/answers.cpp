@@ -150,7 +150,8 @@ std::string welcome_line(const Diagnosis& diagnosis, std::uint64_t seed) {
                       {"averaged", diagnosis.sampling().readings},
                       {"time_s", time_json(diagnosis.time_s())},
                       {"configuration", configuration_json(diagnosis)},
-                      {"active", symbols(diagnosis.active())}});
+                      {"active", symbols(diagnosis.active())},
+                      {"recognised", diagnosis.recognises()}});
 }
 
 std::string configured_line(const Diagnosis& diagnosis) {
@@ -158,6 +159,7 @@ std::string configured_line(const Diagnosis& diagnosis) {
                       {"machine", diagnosis.name()},
                       {"configuration", configuration_json(diagnosis)},
                       {"active", symbols(diagnosis.active())},
+                      {"recognised", diagnosis.recognises()},
                       {"sets", set_names(diagnosis.sets_in_use())}});
 }
 
@@ -204,6 +206,7 @@ std::string status_line(const Diagnosis& diagnosis, const DiagnosisSettings& set
                       {"machine", diagnosis.name()},
                       {"configuration", configuration_json(diagnosis)},
                       {"active", symbols(diagnosis.active())},
+                      {"recognised", diagnosis.recognises()},
                       {"samples", diagnosis.samples()},
                       {"time_s", time_json(diagnosis.time_s())},
                       {"sets_in_use", set_names(diagnosis.sets_in_use())},

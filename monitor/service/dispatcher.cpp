@@ -277,11 +277,13 @@ template <typename Change>
 void Dispatcher::configure(Client& client, const Change& change, std::string_view line) {
     Diagnosis& diagnosis = controlled_by(client);
     SettledEstimates settled(diagnosis);
-    diagnosis.change(change);
+    const SampleOutcome outcome = diagnosis.change(change);
     std::vector<Entry> history;
     std::ranges::move(settled.ended(diagnosis, now_at()), std::back_inserter(history));
+    add_history(diagnosis, outcome, history);
     persistence_.record(client, diagnosis.name(), line, 0, std::move(history));
     tell_watchers(diagnosis.name(), configured_line(diagnosis), [](const Hello&) { return true; });
+    tell_alarms(diagnosis, outcome);
     if (searches_)
         searches_->follow(diagnosis);
 }
@@ -291,6 +293,9 @@ void Dispatcher::answer(Client& client, const ConfigurationChange& change, std::
 }
 
 void Dispatcher::answer(Client& client, const RecognisedConfiguration& change, std::string_view line) {
+    if (!controlled_by(client).can_recognise())
+        throw BadMessage("configuration", "it is \"auto\", but the time between samples does not suit the recognition",
+                         "\"a\" to \"e\", or a period_s of .02 s, or of a fraction of .02 s, in hello");
     configure(client, change, line);
 }
 

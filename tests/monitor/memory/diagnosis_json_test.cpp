@@ -5,6 +5,7 @@
 #include <boost/json.hpp>
 #include <doctest/doctest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -162,6 +163,14 @@ TEST_CASE("a diagnosis that recognises configurations is restored from JSON") {
     refused("of the estimates of a set", [&](State& state) { state.search.searches.erase(set); });
     refused("of a sample that waits", [&](State& state) { state.search.pending = {{LinkSet(), {0, 0, {}}}}; });
     refused("of the recognised configuration", [&](State& state) { state.search.watch.recent.resize(100); });
+    refused("of the recognised configuration", [&](State& state) { state.search.watch.recent.back().misfit += 1; });
+    refused("of the recognised configuration", [&](State& state) {
+        state.search.watch.recent.clear();
+        state.search.watch.last.junction_psi.front() = std::numeric_limits<double>::quiet_NaN();
+    });
+    Diagnosis::State bad = good;
+    bad.configuration.reset();
+    CHECK_THROWS_AS(state_from(state_json(bad), {}), std::runtime_error);
 }
 
 TEST_CASE("a state of an earlier version has no recognised configuration") {

@@ -35,7 +35,7 @@ class Recognise(ServiceTest):
     def recognising(self, service, **hello):
         client = self.client(service, "digger", **hello)
         answer = client.ask(type="configuration", configuration="auto")
-        self.assertEqual((answer["type"], answer["active"]), ("configured", []))
+        self.assertEqual((answer["type"], answer["active"], answer["recognised"]), ("configured", [], True))
         return client
 
     def send(self, client, rows):
@@ -81,6 +81,23 @@ class Recognise(ServiceTest):
             kept = database.execute("select compliance from estimates where link = 'BO'").fetchall()
         self.assertTrue(kept)
         self.assertLess(abs(kept[-1][0] / 0.0129 - 1), 0.15)
+
+    def test_alarms_over_a_change_of_mode(self):
+        rows = dug(self.folder, "--set", "boom.inlet_compliance=.0129")
+        client = self.recognising(self.service("--state", self.folder / "state"))
+        self.assertEqual(self.send(client, rows)[1], [("compliance", ["BO"])])
+        client.send(type="configuration", configuration="a", active=["BO"])
+        answers = [client.receive(), client.receive()]
+        self.assertEqual([each["type"] for each in answers], ["configured", "alarm"])
+        self.assertEqual((answers[1]["state"], answers[0]["recognised"]), ("cleared", False))
+        with contextlib.closing(sqlite3.connect(f"file:{self.folder / 'state'}?mode=ro", uri=True)) as database:
+            rows = database.execute("select time_s, population_set, link from estimates").fetchall()
+        self.assertEqual(len(rows), len(set(rows)))
+
+    def test_periods(self):
+        client = self.client(self.service(), "digger", period_s=0.05)
+        answer = client.ask(type="configuration", configuration="auto")
+        self.assertEqual((answer["type"], answer["field"]), ("error", "configuration"))
 
     def test_wrong_messages(self):
         client = self.client(self.service(), "digger")
