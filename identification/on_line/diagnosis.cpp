@@ -269,9 +269,6 @@ std::size_t Diagnosis::recognise() {
         reading.piston_in3[i] = newest.piston_in3;
     }
     const std::size_t generations = moving_->take(reading, *state_->sample_s);
-    for (Link link : all_links)
-        if (state_->tracks[index_of(link)].spikes(sampling_.period_s()))
-            note_impossible(link);
     state_->judged |= generations > 0;
     state_->configuration = moving_->configuration();
     state_->active = moving_->driven();

@@ -100,7 +100,7 @@ TEST_CASE("a state with a missing or wrong member is refused with the member's p
             "tracks.0.sums.inlet_psi: \"x\" is not a number");
     refused("\"judged\":false", "\"judged\":0", "judged: ");
     refused("\"judged\":false", "\"judged\":false,\"more\":1",
-            "the state is incomplete or wrong: 18 members, expected 18");
+            "the state is incomplete or wrong: 19 members, expected 18");
     refused("\"configuration\":null", "\"configuration\":\"f\"", "configuration: \"f\" is not a known name");
     refused("\"active\":\"\"", "\"active\":\"BO BU\"", "active: \"BO BU\" is not a list of links");
     refused("\"sets\":{}", "\"sets\":{\"P9\":{}}", "sets.P9: this is not a set of links, expected P1a to P4");
