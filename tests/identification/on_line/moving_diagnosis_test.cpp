@@ -98,7 +98,7 @@ TEST_CASE("cross-check 2 raises an alarm for a boom that has become softer, and 
 }
 
 TEST_CASE("the table of docs/guides/monitor.md" * doctest::skip()) { // takes ten minutes
-    auto row = [](const char* machines, std::uint64_t first, Digger digger) {
+    auto row = [](const std::string& machines, std::uint64_t first, Digger digger) {
         digger.seconds = 120;
         const Diagnosed found = diagnosed(first, first + (digger.factor == 1 ? 130 : 60), digger);
         MESSAGE(machines << ": " << found.machines << ", right " << found.named << ", wrong " << found.accused
