@@ -178,6 +178,10 @@ private:
 
 void simulate_moving(const MovingExcavator& machine, const DigJob& job,
                      const std::function<void(const MovingState&)>& show) {
+    if (machine.dead_time_s >= machine.control_period_s)
+        throw UnfitScenario(fmt::format("sensors.period is {} s, expected more than valve.dead_time ({} s): a machine "
+                                        "that digs is controlled once in each period",
+                                        machine.control_period_s, machine.dead_time_s));
     if (auto move = unreachable_move(job, machine.arm, machine.joystick_lag_s, machine.control_period_s))
         throw UnfitScenario(fmt::format("move {}: the arm does not reach the tip's path", *move + 1));
     Digging digging(machine, job);

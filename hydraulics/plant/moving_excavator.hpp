@@ -33,7 +33,8 @@ struct MovingState {
 ///
 /// Integrates by the Runge-Kutta method of order 4 in fixed steps. Each junction has the compliance of the oil in its
 /// pipes, so that flows follow directly from the pressures. The cross-over valves move between steps. Throws
-/// UnfitScenario if the job leaves the arm's reach, or if the soil's force cancels a link's load.
+/// UnfitScenario if the job leaves the arm's reach, if the soil's force cancels a link's load, or if the dead time is
+/// not shorter than the controller's period.
 void simulate_moving(const MovingExcavator&, const DigJob&, const std::function<void(const MovingState&)>& show);
 
 } // namespace placedpar::hydraulics

@@ -72,7 +72,8 @@ TEST_CASE("elements that only one network has, or of another type, have no setti
     CHECK(differing_settings("", "").empty());
 }
 
-TEST_CASE("parameters of processes are compared by the process's name; an explicit default is no difference") {
+TEST_CASE(
+    "parameters of processes are compared by the process's name; a default that one netlist states does not count") {
     const auto found = differing_settings("T800 t; " + stream + "place p on t; place c on t; p (count = 5);",
                                           "T800 t; " + stream + "place p on t; place c on t; p (count = 7);");
     REQUIRE(found.size() == 1);

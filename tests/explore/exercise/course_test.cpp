@@ -57,7 +57,7 @@ TEST_CASE("the exercises have different numbers, in the order of the pages, and 
     CHECK(numbers_of_exercises().size() == exercises().size());
 }
 
-TEST_CASE("a title is what follows the number in the first line; without a number there is no title") {
+TEST_CASE("the title follows the number in the first line; a text without a number has none") {
     CHECK(Exercise{.number = "1.2", .start = "-- Exercise 1.2: An adder\n-- Write: it\n", .expected = ""}.title() ==
           "An adder");
     CHECK(Exercise{.number = "", .start = "", .expected = ""}.title() == "");
@@ -86,7 +86,7 @@ TEST_CASE("the verdict on another output shows the wrong line") {
     CHECK(std::string(name_of(verdict.end, verdict.wrong)) == "wrong output");
 }
 
-TEST_CASE("a program that is right in the usual order only is no solution") {
+TEST_CASE("a program that is right only in the usual order does not solve the exercise") {
     // Usually both senders have sent when the ALT chooses; in other orders the second may have sent alone.
     const SolutionVerdict verdict = verdict_on("  CHAN OF INT a, b:\n"
                                                "  PAR\n"

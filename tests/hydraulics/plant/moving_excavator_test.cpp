@@ -206,3 +206,10 @@ TEST_CASE("a job beyond the arm's reach, or soil that lifts a load, is refused w
     job.moves[1].soil_lbf = 50000;
     CHECK_THROWS_AS(motion(machine, job), UnfitScenario);
 }
+
+TEST_CASE("a controller that is quicker than the pilot valves' dead time is refused") {
+    Parameters parameters = Parameters::excavator();
+    parameters.set("sensors.period", 0.005);
+    CHECK_THROWS_WITH_AS(motion(moving_excavator(parameters), cycle()), doctest::Contains("sensors.period is 0.005 s"),
+                         UnfitScenario);
+}

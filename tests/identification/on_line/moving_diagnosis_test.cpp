@@ -48,7 +48,7 @@ private:
     std::size_t awaited_until_ = 0;
 };
 
-/// Diagnoses one machine. `fault` is the beginning of the alarm's text; "": there is no fault.
+/// Diagnoses one machine. `fault` is the beginning of the expected alarm's text, "" for a sound machine.
 void diagnose(const Record& record, std::uint64_t seed, const std::string& fault, Diagnosed& all) {
     Diagnosis diagnosis = recognising(seed);
     Recognised recognised;

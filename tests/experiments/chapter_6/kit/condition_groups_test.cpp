@@ -79,7 +79,7 @@ TEST_CASE("a share that is far from the expected one misses, and so does the gro
     CHECK(expects_few.within_tolerance());
 }
 
-TEST_CASE("a condition's gain over itself is no gain: its interval contains 0 and is symmetric") {
+TEST_CASE("a condition compared with itself has gain 0: the interval contains 0 and is symmetric") {
     const Tally half{"half", 40, 20, 20, std::vector<double>(40, 10)};
     Comparison gains;
     add_gain(gains, half, half);
