@@ -5,7 +5,7 @@
 
 namespace placedpar::serve {
 
-/// The size of the largest answer (JSON) of a run. A longer answer is refused.
+/// The size of the largest answer (JSON) of a run. If an answer is longer, the user gets a message instead.
 inline constexpr std::size_t largest_answer_bytes = 24u << 20;
 
 /// The limits of a run that a user of the web page starts. The values are this project's choice.

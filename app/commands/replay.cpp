@@ -29,8 +29,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed with too many digits must not fill the
-                                                ///< memory
+constexpr std::uint64_t most_seeds =
+    1'000'000; ///< greatest number of seeds: a number typed with too many digits must not fill the memory
 
 /// The options of the command; an empty file name means that the file is not written.
 struct ReplayOptions {
@@ -104,7 +104,7 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
-/// Refuses `--against printed` if the experiment has only one set of figures.
+/// Throws UserError for `--against printed` if the experiment has no separate figures as the thesis prints them.
 void require_printed(const Experiment& experiment, const ReplayOptions& options) {
     std::vector<std::string_view> having;
     for (const Experiment& each : experiments())
