@@ -32,7 +32,7 @@ namespace {
 constexpr std::uint64_t most_seeds =
     1'000'000; ///< greatest number of seeds: a number typed with too many digits must not fill the memory
 
-/// The options of the command; an empty file name means that the file is not written.
+/// The options of the command. If the name of a file is "", the file is not written.
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
@@ -128,7 +128,7 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-/// Opens the file of --resume, which keeps the finished runs. Without this option, keeps them in memory.
+/// Opens the file of --resume, which stores the finished runs. Without this option, the runs are in memory only.
 StudyResults results_of(const ReplayOptions& options) {
     const std::string whose =
         fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);

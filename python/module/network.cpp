@@ -58,7 +58,7 @@ std::vector<ProcessKind> kinds_of(const py::list& classes) {
     return kinds;
 }
 
-/// Returns a verb for each activity in a timeline.
+/// Returns a verb for each activity.
 std::string verb_of(Activity activity) {
     switch (activity) {
     case Activity::executing: return "executes";
