@@ -25,10 +25,10 @@ ExitCode run_on_machine(const ProcessSearch& search, const identification::Ident
                         boost::json::object& json);
 
 /// Runs an identification as run_on_machine() does, without printing. Also computes when the answer would be ready if
-/// the samples came from sensors, one every `period_s`. The run itself takes samples as fast as it can, except with the
-/// process ga.sensors. For the time of the answer, each sample takes as long as in the run. The work on a sample begins
-/// when the sample has been taken and the work on the preceding sample has ended. Throws UserError if the run gives no
-/// answer, or if the period of ga.sensors differs from `period_s`.
+/// the samples came from sensors, one every `period_s`. The run itself takes samples as fast as it can, except if a
+/// process of the kind ga.sensors sends them at their times. For the time of the answer, each sample takes as long as
+/// in the run. The work on a sample begins when the sample has been taken and the work on the preceding sample has
+/// ended. Throws UserError if the run gives no answer, or if the period of ga.sensors differs from `period_s`.
 identification::AnswerInTime answer_in_time(const ProcessSearch& search,
                                             const identification::ComplianceSearch& prepared, double period_s,
                                             std::uint64_t seed);

@@ -30,8 +30,8 @@ struct LinkTerms {
     double inlet_psi;
     double inlet_slope_psi_per_s;
     double piston_flow_in3_per_s;
-    double inlet_resistance;   ///< root psi per in^3/s
-    double bypass_conductance; ///< in^3/s per root psi
+    double inlet_resistance;   ///< sqrt(psi) per in^3/s
+    double bypass_conductance; ///< in^3/s per sqrt(psi)
 };
 
 inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {

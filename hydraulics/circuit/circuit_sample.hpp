@@ -43,18 +43,18 @@ bool all_open(const Circuit& circuit, std::span<const LinkSample> links, const F
 double excitation_psi_per_s(std::span<const CircuitSample> samples, std::size_t junction);
 
 /// The rule by which identification chooses the samples that it uses. The thesis says only "during the transient
-/// period"; this rule is this project's.
+/// period", so this project chose the rule.
 struct UsableSamples {
     double open_by_psi = 25;            ///< `margin_psi` of all_open() at the first sample
-    double first_slope_psi_per_s = 150; ///< at the first sample, every pressure changes at least so fast
+    double first_slope_psi_per_s = 150; ///< least rate at which every pressure changes at the first sample
     std::size_t skipped = 0;            ///< number of usable samples to leave out at the beginning
     std::size_t count = 20;             ///< greatest number of samples; 20 samples last 0.4 s (thesis 4.4)
     bool rising = false;                ///< true: the samples end before the first falling pressure (thesis 3.1.3)
 };
 
 /// Returns up to `count` samples, from the first sample that the rule accepts. A later sample is left out if an inlet
-/// is shut or the pumps cannot reach a cylinder's pressure. There equation 3.6, the pressure at a junction, does not
-/// hold. Returns fewer samples if the record ends, or if `rising` is set and a pressure falls.
+/// is shut or the pumps cannot reach a cylinder's pressure. In such a sample, equation 3.6 for the pressure at a
+/// junction does not hold. Returns fewer samples if the record ends, or if `rising` is set and a pressure falls.
 std::vector<CircuitSample> usable_samples(std::span<const CircuitSample> samples, const Circuit& circuit,
                                           const FlowConstants& flow, const UsableSamples& rule = {});
 

@@ -33,14 +33,14 @@ struct ValveInterval {
 };
 
 /// Recognises the configuration of the main valve from the readings of all links. The configuration says which pump
-/// feeds which link, and identification needs it to choose its equations. No sensor reads it.
+/// feeds which link, and identification needs it to choose its equations. No sensor reads the configuration.
 ///
-/// The pressures at the valve's junctions are integrated from the areas and the cylinders' pressures. As in the
-/// machine, the rule of thesis 2.4 then gives the configuration from the junctions' pressures. If a pressure just
+/// The pressures at the valve's junctions are integrated from the areas and the cylinders' pressures. From these
+/// pressures, the rule by which the cross-over valves move gives the configuration (cross_over.hpp). If a pressure just
 /// reaches a limit of the rule, noise decides, and the configuration may be wrong for seconds. Therefore the computed
-/// flows into the cylinders are compared with the flows that move the pistons and expand the hoses. Another
-/// configuration may explain these flows much better, if the valves changed to it within the last `reach` intervals.
-/// Then this configuration replaces the present one.
+/// flows into the cylinders are compared with the flows that move the pistons and expand the hoses. If another
+/// configuration, to which the valves may have changed within the last `reach` intervals, explains these flows much
+/// better, it replaces the present configuration.
 class ConfigurationWatch {
 public:
     static constexpr std::size_t reach = 4; ///< number of intervals
@@ -84,7 +84,8 @@ public:
 
 private:
     ValveInterval next(const ValveInterval& from, const ValveReading& to, bool held) const;
-    /// Adds the flows of a step, at the mean of the junctions' pressures before and after it.
+    /// Adds the flows of one integration step to `now.mean`, at the mean of the junctions' pressures before and after
+    /// the step.
     void add_flows(ValveInterval& now, const PerLink<double>& before_psi, const ValveLinks& links, double share) const;
     bool near(const ValveInterval&, Configuration other) const;
     void reconsider();

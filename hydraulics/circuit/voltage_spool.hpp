@@ -6,8 +6,9 @@
 
 namespace placedpar::hydraulics {
 
-/// Returns the spool position, in inches, that a voltage at the boom's servo-valve demands (A.1). The position rises
-/// strictly with the voltage. The function holds only while the boom rises; the thesis gives no function for lowering.
+/// Returns the spool position, in inches, that a voltage at the boom's servo-valve demands (equation A.1). The position
+/// rises strictly with the voltage. The function holds only while the boom rises; the thesis gives no function for
+/// lowering.
 double desired_spool_in(double volts);
 
 /// Returns the voltage with which a controller demands a spool position: the inverse of A.1, accurate to the last few
@@ -23,7 +24,7 @@ struct OffsetDrift {
     double at(double time_s) const { return at_start + rate_per_s * time_s; }
 };
 
-/// The function A.1 with offsets of a worn machine in its voltage and its spool position.
+/// The spool position over the voltage for a worn machine: equation A.1 with offsets in voltage and position.
 struct DriftedVoltageSpool {
     OffsetDrift volts;
     OffsetDrift spool_in;

@@ -16,8 +16,9 @@ namespace placedpar::identification {
 
 /// Diagnoses a working excavator that does not report the configuration of its main valve. A MovingSearch recognises
 /// the configuration from the readings, and searches the compliances of each set of links that share oil. After each
-/// round of generations of a set, its links are judged by cross-checks 1 and 2 of thesis 3.3: compliances from
-/// different sets must agree, and a fault of all links that one pump feeds is in a shared part.
+/// round of generations of a set, its links are judged by cross-checks 1 and 2 of thesis 3.3. Compliances of one link
+/// from different sets must agree. If all links that one pump feeds have the same fault, the fault is in a part that
+/// they share.
 class MovingDiagnosis {
 public:
     /// The number of samples that the search of a set keeps. With fewer samples the answers are less certain. With more

@@ -46,8 +46,9 @@ public:
     static constexpr double piece_s = 4;       ///< a longer movement is judged in pieces of this length
     static constexpr double shut_for_s = 0.06; ///< valves that are shut for this time end the movement
     static constexpr double rest_after_s =
-        0.4; ///< samples of this further time are kept: while the valves shut, and at rest
-    static constexpr double open_by_psi = 25; ///< as UsableSamples::open_by_psi
+        0.4; ///< further time for which samples are kept, while the valves shut and then at rest
+    static constexpr double open_by_psi =
+        25; ///< valves count as open only if oil would flow in even at a pressure higher by this margin
     static constexpr double least_inlet_in2 =
         0.0125; ///< a valve with a greater inlet area is open; this is the area at 0.01 in beyond the spool's dead band
 

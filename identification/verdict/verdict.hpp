@@ -42,7 +42,8 @@ struct Verdict {
     std::size_t movements = 0; ///< number of movements that count
 };
 
-/// The size of a fault and its standard error, in the units of WayUnits.
+/// The size of a fault and its standard error, in the units of WayUnits. One unit is a size that a verdict should
+/// detect, such as 20 % of the compliance.
 struct FaultSize {
     double by, standard_error;
 };
@@ -66,7 +67,7 @@ Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom val
 /// its kind. The second comparison finds faults that the link had from the first day.
 class LinkJudge {
 public:
-    /// The weighted mean of so many first movements is the healthy reference of the link.
+    /// The weighted mean of this number of first movements is the healthy reference of the link.
     static constexpr std::size_t movements_of_baseline = 3;
     /// The deviation from healthy machines of its kind at which a link is suspected, in the units of WayUnits. Healthy
     /// machines deviate by up to one unit.

@@ -27,7 +27,8 @@ class Diagnoses; // monitor/memory/diagnoses.hpp
 ///
 /// 1. A separate thread, the writer's thread, writes the file. Each function that stores something returns a ticket, a
 ///    rising number. The callback of start() reports when everything up to a ticket is on the disk or lost.
-/// 2. After entries were lost, nothing is stored until write_anew() has stored all states again.
+/// 2. If entries are lost, for example because the disk is full, nothing is stored until write_anew() has stored all
+///    states again.
 /// 3. All functions are called from one thread.
 class StateStore {
 public:
@@ -35,7 +36,7 @@ public:
     /// again. When the backlog is larger, relieve() saves the states of the machines with the oldest messages.
     static constexpr std::size_t most_backlog_bytes = 8u << 20;
     static constexpr std::uint64_t most_backlog_generations =
-        100000; ///< the search of a restart through the backlog then takes 1 to 5 s
+        100000; ///< generations for the backlog's messages; a restart makes them again in 1 to 5 s
 
     /// Opens the file and restores its content. Throws UserError, naming the file, if the file cannot be used.
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);
@@ -46,7 +47,7 @@ public:
     const std::string& trouble() const { return trouble_; }
     /// Returns a message for the operator about opening the file, or "".
     const std::string& said() const { return said_; }
-    /// Returns the active alarms, and the alarms that were ever shelved.
+    /// Returns the active alarms, and the alarms that an operator ever shelved, that is, suppressed for some time.
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
     /// Starts the writer's thread, which calls `tell` after each transaction. Call this function once, before anything
