@@ -11,8 +11,7 @@ enum class ExitCode {
     deadlock = 2,         ///< at the end of the run, some processes waited and nothing could wake them
     missed_tolerance = 3, ///< a compared value is outside its tolerance; or, with --strict, an answer has a warning
     defect = 70,          ///< a defect of this program; EX_SOFTWARE of sysexits.h
-    interrupted =
-        130 ///< a signal interrupted the run; the results so far are printed; shells use the same number for SIGINT
+    interrupted = 130     ///< a signal interrupted the run; the results so far are printed; as in shells
 };
 
 /// Returns the exit code of a run with this ending. A run that reached its time limit is a success, because the user

@@ -27,8 +27,8 @@ struct LinkIdentified {
     /// The compliance that fits the last window best, found by trying every string. nullopt if the strings are too long
     /// for that (exhaustive_bits), or if this was not tried.
     std::optional<double> optimum = {};
-    std::optional<double> codes_from_optimum =
-        {};                       ///< distance of the answer from `optimum`, in steps between neighbouring codes
+    /// The distance of the answer from `optimum`, in steps between neighbouring codes.
+    std::optional<double> codes_from_optimum = {};
     std::vector<Flag> flags = {}; ///< empty if nothing is unusual
 
     bool flagged(FlagKind) const;

@@ -19,8 +19,9 @@ struct IdentificationWay {
     std::size_t bits = CircuitProblem::usual_bits; ///< bits per compliance
     Coding coding = Coding::natural;
     hydraulics::UsableSamples usable;
-    std::optional<ExcitationGate>
-        gate; ///< stops the search while the pressure hardly changes; nullopt: the search always runs, as in the thesis
+    /// The gate stops the search while the pressure hardly changes. If nullopt, the search always runs, as in the
+    /// thesis.
+    std::optional<ExcitationGate> gate;
 };
 
 /// Returns the settings of chapter 3: natural binary code, no elite, one search over the 0.4 s of the transient.

@@ -11,8 +11,8 @@ namespace placedpar::identification {
 /// an imbalance of flow shows an offset of the spool. All values are this project's choice.
 struct SteadyMotion {
     double duration_s = 1;
-    double drift_psi =
-        8; ///< largest accepted difference between the mean pressures of the motion's first and second half
+    /// The largest accepted difference between the mean pressures of the motion's first and second half.
+    double drift_psi = 8;
     double slope_psi_per_s = 250;     ///< greatest accepted rms slope of the inlet pressure; noise alone causes less
     double least_flow_in3_per_s = 10; ///< least flow into the cylinder at every instant, so that the piston moves
 };

@@ -39,8 +39,8 @@ struct SearchCost {
     /// The number of individuals evaluated, and of errors computed. Each error is the error of one individual at one
     /// sample.
     double individuals, errors;
-    double seconds,
-        seconds_on_16; ///< time on one T800, and on the 16 T800s of Figure E.2 if communication took no time
+    /// The times on one T800, and on the 16 T800s of Figure E.2 if communication took no time.
+    double seconds, seconds_on_16;
 };
 
 /// Returns the cost by Table E.1: 1,440 cycles for the error of one junction at one sample, and 1,750 cycles for the

@@ -29,8 +29,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds =
-    1'000'000; ///< greatest number of seeds: a number typed with too many digits must not fill the memory
+/// The greatest number of seeds. A number typed with too many digits must not fill the memory.
+constexpr std::uint64_t most_seeds = 1'000'000;
 
 /// The options of the command. If the name of a file is "", the file is not written.
 struct ReplayOptions {

@@ -18,8 +18,8 @@ namespace placedpar {
 /// single transputer that runs the program.
 struct BootedOptions : ProgramMachine {
     std::string folder;
-    std::optional<std::string>
-        keys; ///< keys for the booted program; nullopt: the keys come from this program's terminal or standard input
+    /// The keys for the booted program. If nullopt, the keys come from this program's terminal or standard input.
+    std::optional<std::string> keys;
     std::vector<std::string> environment;
     std::uint64_t write_limit_megabytes = 64;
     std::vector<std::string> arguments; ///< command-line arguments of the program

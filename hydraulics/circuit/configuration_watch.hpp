@@ -24,8 +24,8 @@ struct ValveInterval {
     Configuration configuration = Configuration::a; ///< at the end of the interval
     PerLink<double> junction_psi{};                 ///< at the end of the interval
     ValveFlows mean{};                              ///< mean flows, without the relief valve's flow
-    double misfit =
-        0; ///< sum over the links of (oil_in3_per_s - mean.inlet)^2: how badly the configuration explains the motion
+    /// How badly the configuration explains the motion: the sum over the links of (oil_in3_per_s - mean.inlet)^2.
+    double misfit = 0;
     PerLink<double> oil_in3_per_s{}; ///< flow that moves the piston and expands the hose, smoothed
     PerLink<double> forward_s{};     ///< time since oil last flowed out of the cylinder
 
@@ -44,14 +44,14 @@ struct ValveInterval {
 class ConfigurationWatch {
 public:
     static constexpr std::size_t reach = 4; ///< number of intervals
-    static constexpr std::size_t span =
-        8; ///< number of intervals over which a sample averages; many, so that noise hardly changes the slopes
+    /// The number of intervals over which a sample averages. It is high, so that noise hardly changes the slopes.
+    static constexpr std::size_t span = 8;
 
     /// Holds everything that is needed to restore the object.
     struct State {
         ValveInterval last;
-        std::vector<ValveInterval>
-            recent; ///< at most span + 1 intervals, oldest first; of the oldest, only its end is used
+        /// At most span + 1 intervals, oldest first. Of the oldest, only its end is used.
+        std::vector<ValveInterval> recent;
 
         friend bool operator==(const State&, const State&) = default;
     };

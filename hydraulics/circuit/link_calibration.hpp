@@ -22,8 +22,9 @@ enum class AreasFrom : unsigned char { areas, spool, servo };
 
 /// The constants that convert the readings of one link to flows.
 struct LinkConstants {
-    double piston_in3_per_rad =
-        0; ///< volume of oil that this side of the cylinder takes per radian of the joint; negative on the outlet side
+    /// The volume of oil that this side of the cylinder takes per radian of the joint. It is negative on the outlet
+    /// side.
+    double piston_in3_per_rad = 0;
     double spool_lag_per_s = 0; ///< a_0 of A.2, the lag between voltage and spool
 
     double piston_in3_per_deg() const { return piston_in3_per_rad * std::numbers::pi / 180; }
@@ -36,8 +37,8 @@ PerLink<LinkConstants> link_constants(const Parameters& parameters);
 /// Everything that converts the readings of one link to flows and areas.
 struct LinkCalibration {
     LinkConstants constants;
-    double spool_offset_in =
-        0; ///< the spool's readings, or the positions computed from voltages, are too high by this offset
+    /// The spool's readings, or the positions computed from voltages, are too high by this offset.
+    double spool_offset_in = 0;
     std::optional<AreasFrom> from = {}; ///< nullopt: the first of the three sources that the record has
 };
 using LinkCalibrations = PerLink<LinkCalibration>;

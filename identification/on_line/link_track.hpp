@@ -51,7 +51,7 @@ public:
     /// or a change of the circuit.
     void restart();
 
-    /// Returns the middle sample of the last 5, with its slopes; nullopt while there are fewer samples.
+    /// Returns the middle sample of the last 5, with its rates of change; nullopt while there are fewer samples.
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 

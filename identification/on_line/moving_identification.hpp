@@ -18,8 +18,8 @@ struct Recognition {
     std::array<std::size_t, hydraulics::all_configurations.size()>
         samples{}; ///< number of samples of each recognised configuration
     std::size_t judged = 0, right = 0;
-    std::size_t changes = 0,
-                soon = 0; ///< number of changes of configuration, and of those recognised within two samples
+    /// The numbers of changes of configuration, and of those that were recognised within two samples.
+    std::size_t changes = 0, soon = 0;
 };
 
 /// Identifies compliances from the record of a working machine whose configurations change. Recognises the

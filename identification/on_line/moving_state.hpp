@@ -32,15 +32,15 @@ struct ConfigurationSamples {
 struct SetSearchState {
     std::vector<Genome> population; ///< the elite first
     std::uint64_t generations = 0;
-    std::uint64_t drawn = 0;                          ///< numbers drawn from the random stream
-    std::size_t rounds = 0, fresh = 0;                ///< fresh: samples since the last round
+    std::uint64_t drawn = 0;           ///< numbers drawn from the random stream
+    std::size_t rounds = 0, fresh = 0; ///< `rounds` of generations made, and `fresh` samples since the last round
     std::vector<ConfigurationSamples> configurations; ///< ordered by configuration
 
     friend bool operator==(const SetSearchState&, const SetSearchState&) = default;
 };
 
 /// A sample that waits a few readings before the search uses it. The configuration may have changed during its last
-/// readings, and this is recognised late.
+/// readings, and the program recognises such a change only some readings later.
 struct PendingSample {
     hydraulics::LinkSet set;
     hydraulics::CircuitSample sample;

@@ -32,7 +32,7 @@ public:
         std::size_t to_skip = 0;        ///< number of usable samples that are still to be left out
         std::uint64_t samples = 0;      ///< number of samples seen, usable or not
         std::uint64_t generations = 0;
-        std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of()
+        std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of() (population_sets.hpp)
 
         friend bool operator==(const State&, const State&) = default;
     };

@@ -24,8 +24,8 @@ struct WholeMovement {
 /// if none has settled.
 struct LinkFinding {
     hydraulics::Link link;
-    std::optional<double>
-        compliance_in3_per_psi; ///< nullopt: the pressure never changed fast enough to determine the compliance
+    /// The compliance is nullopt if the pressure never changed fast enough to determine it.
+    std::optional<double> compliance_in3_per_psi;
     double standard_error_in3_per_psi = 0; ///< by least squares over the samples of the estimate
     /// The least and the greatest compliance of the last generations' best individuals.
     std::pair<double, double> spread_in3_per_psi;

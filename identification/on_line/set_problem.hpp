@@ -12,8 +12,8 @@ namespace placedpar::identification {
 
 struct FlowWeights; // identification/flow_weights.hpp
 
-/// The measured values of each link of a population set, in the order of links_of(). A population set is a set of links
-/// whose compliances one population searches together.
+/// The measured values of each link of a population set, in the order of links_of() (population_sets.hpp). A population
+/// set is a set of links whose compliances one population searches together.
 using SetSample = std::vector<hydraulics::LinkSample>;
 
 /// The search for the compliances of a population set's links, in one configuration of the main valve. The string codes

@@ -15,7 +15,8 @@ namespace placedpar::identification {
 /// each movement.
 class SetWatch {
 public:
-    /// Holds everything that is needed to restore the object. Links are in the order of links_of(set).
+    /// Holds everything that is needed to restore the object. Links are in the order of links_of()
+    /// (population_sets.hpp).
     struct State {
         Movement::State movement;
         std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas

@@ -7,8 +7,8 @@
 
 namespace placedpar::identification {
 
-/// For each link, the settled compliances of so many last transients are kept. A transient is a time in which the
-/// pressure changes.
+/// The number of transients whose settled compliances are kept for each link. A transient is a time in which the
+/// pressure changes. A compliance is settled when many generations agree.
 inline constexpr std::size_t kept_transients = 5;
 
 /// Returns the search settings of the thesis, with one elite individual in addition.
@@ -21,8 +21,8 @@ struct DiagnosisSettings {
     SearchSettings search = service_search(); ///< window 10, bias 400, 5 trials, population 120, 1 elite
     std::size_t bits = 10;                    ///< bits per compliance; not printed in the thesis
     ExcitationGate gate;                      ///< while it is shut, the estimate of the compliance is frozen
-    std::size_t skipped =
-        2; ///< number of usable samples to leave out after the path to a cylinder has opened; our choice
+    /// The number of usable samples to leave out after the path to a cylinder has opened; our choice.
+    std::size_t skipped = 2;
     /// The estimate is the median of the best individuals of this many generations; our choice.
     std::size_t median_over = 25;
     /// An estimate is settled if (greatest - least) / median of these individuals is at most this number; our choice.

@@ -19,8 +19,8 @@ struct WayUnits {
     static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
 };
 
-/// The deviations found in two movements of an unchanged link differ, however long the movements are, because the
-/// equations are not exact. These constants are the standard deviations of this difference, in the units of WayUnits:
+/// The equations are not exact. Therefore the deviations found in the movements of an unchanged link scatter, however
+/// long the movements are. These constants are the standard deviations of this scatter, in the units of WayUnits:
 /// `offset_repeats_within` for offsets, `repeats_within` for all other deviations. Both values are this project's
 /// choice. The value for offsets is tuned on simulated machines, so that leaks that begin with a movement are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;

@@ -40,17 +40,18 @@ public:
     /// uses two samples on either side, and the valve must have the same state in all of them. A third sample is left
     /// out because the path to a cylinder opens between two samples and readings have noise.
     static constexpr std::size_t slope_reach = 3;
-    static constexpr std::size_t slope_ahead =
-        2; ///< number of samples to leave out at the end of a movement, since their slopes use later samples
+    /// The number of samples to leave out at the end of a movement, since their slopes use later samples.
+    static constexpr std::size_t slope_ahead = 2;
     static constexpr double rest_s = 1;        ///< the last second of the rest before a movement is kept
     static constexpr double piece_s = 4;       ///< a longer movement is judged in pieces of this length
-    static constexpr double shut_for_s = 0.06; ///< valves that are shut for this time end the movement
-    static constexpr double rest_after_s =
-        0.4; ///< further time for which samples are kept, while the valves shut and then at rest
-    static constexpr double open_by_psi =
-        25; ///< valves count as open only if oil would flow in even at a pressure higher by this margin
-    static constexpr double least_inlet_in2 =
-        0.0125; ///< a valve with a greater inlet area is open; this is the area at 0.01 in beyond the spool's dead band
+    static constexpr double shut_for_s = 0.06; ///< if the valves open again within this time, the movement continues
+    /// A movement ends this further time after `shut_for_s`. In this time the valves shut completely, and samples at
+    /// rest are taken.
+    static constexpr double rest_after_s = 0.4;
+    /// The valves count as open only if oil would flow in even at a pressure higher by this margin.
+    static constexpr double open_by_psi = 25;
+    /// A valve is open if its inlet has at least this area: the area at 0.01 in beyond the spool's dead band.
+    static constexpr double least_inlet_in2 = 0.0125;
 
     Movement() = default;
     Movement(const hydraulics::Sampling& sampling, State state) : sampling_(sampling), state_(std::move(state)) {}

@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// What is known about a link while it is healthy. Deviations are measured from this state.
+/// What a healthy link is like. The deviations of a link are measured from this state.
 struct LinkInHealth {
     double compliance_in3_per_psi;
     /// The source of the link's areas. Areas that are measured directly have no offset.

@@ -9,8 +9,9 @@ namespace placedpar::identification {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// Fourth differences of white noise have `white_gain` times its variance. Fourth differences of the slopes of white
-/// noise, by lines fitted to 5 readings, have `slope_gain` times the variance of these slopes.
+/// The variance of the fourth differences of white noise is `white_gain` times the variance of the noise. The slopes of
+/// lines fitted to 5 readings of white noise are noise, too. The variance of their fourth differences is `slope_gain`
+/// times the variance of the slopes.
 inline constexpr double white_gain = 70, slope_gain = 25.2;
 
 /// Estimates the variance of the noise in readings from the median of their fourth differences, which are near 0 for a
@@ -47,8 +48,8 @@ public:
 
     const Eigen::MatrixXd& information() const { return information_; }
     const Eigen::VectorXd& pull() const { return pull_; }
-    /// Returns the share of noise in the information about an unknown. `columns` is the noise in this unknown's column
-    /// of `slopes`.
+    /// Returns the part of the information about an unknown that comes only from noise. `columns` is the noise in this
+    /// unknown's column of `slopes`.
     double share_of(const Sparse& columns) const;
     /// Returns the factor by which the variance of the residuals exceeds the assumed variance, if the unknowns are
     /// `by`. With few rows the factor stays near 1.

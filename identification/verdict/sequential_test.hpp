@@ -18,15 +18,16 @@ inline constexpr std::array<LinkFault, 4> all_faults{LinkFault::compliance, Link
 /// Returns the deviations that one unit of a fault causes.
 PerHypothesis unit_of(LinkFault fault);
 
-/// A suspected fault of a link, and its size with sign in the units of WayUnits. A leak is always positive.
+/// A suspected fault of a link, and its size with sign in the units of WayUnits (deviation.hpp). One unit is a size
+/// that a verdict should detect. A leak is always positive.
 struct Suspicion {
     LinkFault fault;
     double units;
 };
 
 /// Tests movement by movement whether a link deviates from its reference, a healthy state, with Page's cumulative sums
-/// (Biometrika 41, 1954). Each suspicion has a sum. Each movement adds to it the logarithm of the likelihood ratio of
-/// the suspected deviation to no deviation; the sum is never below 0. One movement adds at most `most_of_one`, because
+/// (Biometrika 41, 1954). Each suspicion has a sum. Each movement adds to the sum the logarithm of the likelihood ratio
+/// of the suspected deviation to no deviation. A sum is never below 0. One movement adds at most `most_of_one`, because
 /// real errors have longer tails than the normal distribution. If it would add more, its information is reduced in
 /// proportion. Therefore a report needs at least two movements. The reference is uncertain too. Therefore a sum s
 /// counts as s / (1 + I b), where I is the information of the movements in the sum, and b is the variance of the

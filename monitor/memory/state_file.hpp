@@ -18,8 +18,8 @@ namespace placedpar::monitor {
 /// The content of a state file when it was opened.
 struct StateContent {
     std::vector<KeptState> machines;
-    std::vector<KeptMessage>
-        messages; ///< messages that the machines accepted after these states, in order of their numbers
+    /// The messages that the machines accepted after these states, in order of their numbers.
+    std::vector<KeptMessage> messages;
     std::uint64_t last_message = 0; ///< the number of the last message ever stored
     std::string said;               ///< a message for the operator about opening the file; may be ""
     std::string trouble; ///< why the file can be read but not written, such as a full disk; "" if it can be written

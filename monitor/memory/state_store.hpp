@@ -35,8 +35,8 @@ public:
     /// The greatest size of the backlog, the messages that are not part of a saved state. A restart must process them
     /// again. When the backlog is larger, relieve() saves the states of the machines with the oldest messages.
     static constexpr std::size_t most_backlog_bytes = 8u << 20;
-    static constexpr std::uint64_t most_backlog_generations =
-        100000; ///< generations for the backlog's messages; a restart makes them again in 1 to 5 s
+    /// The greatest number of generations for the backlog's messages. A restart makes them again in 1 to 5 s.
+    static constexpr std::uint64_t most_backlog_generations = 100000;
 
     /// Opens the file and restores its content. Throws UserError, naming the file, if the file cannot be used.
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);

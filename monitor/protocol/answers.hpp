@@ -17,8 +17,8 @@ struct LoadRates {
     double samples_per_s = 0;
     double generations_per_s = 0;
     double work_of_core = 0; ///< time spent on messages, as a share of one core's time
-    double cpu_of_core =
-        0; ///< processor time of the service's thread, including network traffic, as a share of one core's time
+    /// The processor time of the service's thread, including network traffic, as a share of one core's time.
+    double cpu_of_core = 0;
 };
 struct Load {
     LoadRates rates;

@@ -11,8 +11,8 @@
 
 namespace placedpar::monitor {
 
-/// A program that is connected to the service, as the Dispatcher, which answers the messages, sees it. The class hides
-/// the socket.
+/// A program that is connected to the service. The Dispatcher, which answers messages, uses this class and so needs no
+/// sockets.
 class Client {
 public:
     virtual ~Client() = default;
@@ -36,8 +36,8 @@ public:
     bool leaving = false;                            ///< the client is about to be closed and sends no more lines
     std::chrono::steady_clock::time_point heard;     ///< when the client's last line arrived
     bool has_samples = false;                        ///< at least one of the client's samples was accepted
-    bool keeps_place =
-        false; ///< the client serves a machine that has sent many samples, so no new client takes this client's place
+    /// Whether the client serves a machine that has sent many samples. No new client then takes this client's place.
+    bool keeps_place = false;
     bool told_kept = true; ///< value of `kept` in the last kept_line() sent to the client
 };
 

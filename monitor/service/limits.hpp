@@ -21,10 +21,10 @@ struct ServiceLimits {
     std::uint64_t history = 5000;        ///< number of estimates, and number of alarms, that are kept per machine
     std::size_t line_bytes = 64u << 10;  ///< longest message
     std::size_t queue_bytes = 1u << 20;  ///< largest number of bytes that wait to be sent to one client
-    double hello_s = 10;                 ///< longest time from the connection to the first message
-    double line_s = 10;                  ///< longest time from the first to the last byte of a line
-    double idle_s = 300;                 ///< longest time in which a client sends no line
-    double stall_s = 10;                 ///< longest time in which a client reads nothing
+    double hello_s = 10;  ///< longest time from the connection to the first message of type hello, load or ping
+    double line_s = 10;   ///< longest time from the first to the last byte of a line
+    double idle_s = 300;  ///< longest time in which a client sends no line
+    double stall_s = 10;  ///< longest time in which a client reads nothing
     double closing_s = 1; ///< time that a client has to read the last line before its connection is closed
 };
 

@@ -12,9 +12,9 @@
 
 namespace placedpar::monitor {
 
-/// Stores what happens to the diagnoses in the state file, and holds back the answers to clients until it is on the
-/// disk. If storing fails, the diagnosis continues without storing, because the diagnosis is worth more than its stored
-/// state.
+/// Stores the accepted messages and their effects in the state file, and holds back the answers to clients until these
+/// are on the disk. If storing fails, the diagnosis continues without storing, because the diagnosis is worth more than
+/// its stored state.
 class Persistence {
 public:
     using Clock = std::chrono::steady_clock;

@@ -48,8 +48,8 @@ private:
     Operation* now_ = nullptr;
     pybind11::object result_; ///< the generator's return value, once it has ended
     std::vector<Guard> guards_;
-    std::vector<std::shared_ptr<ChannelEnd>>
-        guarded_; ///< the input end of each guard of the ALT; null for a guard that is not an input
+    /// The input end of each guard of the ALT; null for a guard that is not an input.
+    std::vector<std::shared_ptr<ChannelEnd>> guarded_;
     std::size_t chosen_ = 0;
     std::list<GeneratorRun> components_;
     std::string refused_; ///< why the operation failed; "" if it did not
