@@ -94,7 +94,8 @@ private:
     std::string output_;
 };
 
-/// Returns the host for a run with changed settings. The host presses the same keys, but does not show the screen.
+/// Returns the host for a further run with changed settings. The host presses the same keys as in the first run, but
+/// does not show the screen.
 HostServices silent_host(const std::string& keys) {
     HostServices host;
     host.terminal = [keys] { return std::make_shared<iserver::ScriptedTerminal>(keys, [](std::string_view) {}); };

@@ -103,8 +103,8 @@ struct SensorReading {
     double time_s, value;
 };
 
-/// Returns the earliest reading that is not finite or is beyond largest_reading. Among several such readings at one
-/// instant, returns the reading of the first channel.
+/// Returns the earliest reading that is not finite or is beyond largest_reading. If several readings at this instant
+/// are such, returns the reading of the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
 /// The largest distance of a sample from its regular instant, as a share of the period.

@@ -27,7 +27,9 @@ struct LinkMode {
 ///   C_o P_o' = A_o v + Q_l - Q_o (3.4, if there is a drain side);
 ///   M v' = A_i P_i - A_o P_o - F - friction, x' = v;
 ///   spool' = a_0 (desired - spool) (A.2).
-/// The flows of all junctions are solved together (junction_flow.hpp).
+/// P is a pressure, C a compliance and A an area of the piston, with index i on the inlet side and o on the outlet
+/// side. Q_i and Q_o are the flows in and out, and Q_l is the leak. x and v are the piston's position and velocity, M
+/// is the mass and F the load. The flows of all junctions are solved together (junction_flow.hpp).
 class ExcavatorDynamics {
 public:
     using State = std::vector<double>;

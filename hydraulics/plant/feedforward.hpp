@@ -18,8 +18,8 @@ struct FlowTarget {
 /// `inlet_drop_psi` over its inlet and `bypass_drop_psi` over its bypass. If the circuit keeps a bypass shut, its link
 /// takes the junction's whole flow, whatever the target flow is. Otherwise solve_junctions() with these areas gives the
 /// target flows again, and no relief valve opens. REQUIRES: one target per junction, flows and drops above 0. Throws
-/// UnfitScenario (requirement.hpp) if a junction receives less flow than its link needs, or would need more than the
-/// relief pressure.
+/// UnfitScenario (requirement.hpp) if a junction receives less flow than its link needs, or would need a pressure above
+/// the relief pressure.
 std::vector<JunctionOpening> openings_for(const Circuit&, std::span<const FlowTarget>, const FlowConstants&,
                                           double inlet_drop_psi, double bypass_drop_psi);
 

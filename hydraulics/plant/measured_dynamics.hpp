@@ -16,8 +16,9 @@ namespace placedpar::hydraulics {
 ///   piston: M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z), Q_l = k_l (P_c - P_oc);
 ///   spool: spool' = a_0 (desired - spool).
 ///
-/// P_v, P_c and q are the pressures at a hose's two ends and the flow in it; z is the bending of the friction's
-/// bristles. Equations 3.1 to 3.3 give Q_i, the part of the rippling pump flow that enters the inlet hose. Equation 3.4
+/// P_v and P_c are the pressures at a hose's two ends, C_v and C_c the compliances there, and q is the flow in the
+/// hose. I and R are the hose's inertance and resistance. z is the bending of the friction's bristles, and F_g is the
+/// load. Equations 3.1 to 3.3 give Q_i, the part of the rippling pump flow that enters the inlet hose. Equation 3.4
 /// gives Q_o, the flow to the tank.
 class MeasuredDynamics {
 public:

@@ -18,10 +18,10 @@ struct MeasuredState {
     double velocity_in_per_s;
     double spool_in;
     double pump_in3_per_s;       ///< the pump's flow, with its ripple
-    double inlet_in3_per_s;      ///< Q_i, from the valve
-    double bypass_in3_per_s;     ///< Q_e
+    double inlet_in3_per_s;      ///< Q_i, flow from the valve into the inlet hose
+    double bypass_in3_per_s;     ///< Q_e, flow through the bypass
     double inlet_hose_in3_per_s; ///< flow from the inlet hose into the cylinder
-    double leak_in3_per_s;       ///< Q_l
+    double leak_in3_per_s;       ///< Q_l, leak across the piston
 };
 
 /// Simulates the excavator from rest. At rest the inlet side holds the load, the drain side has the tank's pressure,

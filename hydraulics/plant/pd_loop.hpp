@@ -10,8 +10,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The transfer function of a joint under P-D control (equation 2.9), which shows how a growing compliance makes the
-/// joint unstable:
+/// The transfer function of a joint under P-D control (equation 2.9). It shows how a growing compliance C makes the
+/// joint unstable. theta is the joint's angle and theta_d the demanded angle:
 ///     theta / theta_d = K_p a_0 / (s^3 + a_2 s^2 + (a_1 + a_0 K_v) s + K_p a_0)
 struct PdLoop {
     double a0_per_s3; ///< 2 K_x D_m / (J C), a gain

@@ -45,7 +45,7 @@ std::span<const RecordScenario> record_scenarios();
 /// since it needs a job.
 const RecordScenario& digging_scenario();
 
-/// Returns null if there is no such scenario.
+/// Returns the scenario of record_scenarios() with this name; null if no scenario has this name.
 const RecordScenario* record_scenario_named(std::string_view name);
 
 /// Returns the parameters noise.* for one of the levels none, low, mid and high; empty if no level has this name.

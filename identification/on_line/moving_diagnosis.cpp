@@ -25,7 +25,7 @@ RecognisedMachine recognised(const ExcavatorParameters& parameters) {
 /// Returns the likelihood of the deviation `found`, if the true deviation is `truth`. Both are in standard errors.
 double likelihood(double found, double truth) { return std::exp(-(found - truth) * (found - truth) / 2); }
 
-/// Returns a deviation of the compliance alone.
+/// Returns a deviation in which only the compliance differs from a healthy link's.
 Deviation of_compliance(double units, double standard_error) {
     Deviation deviation;
     const std::size_t i = index_of(FaultHypothesis::compliance);

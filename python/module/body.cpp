@@ -27,7 +27,7 @@ ProcessEnvironment& environment_of(const Measured& measured) {
     return **measured;
 }
 
-/// The state of a running process.
+/// The state of a running process whose body is in Python.
 struct Body {
     Interpreter& python = Interpreter::current();
     std::vector<std::shared_ptr<ChannelEnd>> ends;
