@@ -2,7 +2,7 @@
 
 namespace placedpar {
 
-/// The compiler and the libraries that the program was built with, with their versions.
+/// A text with the compiler and the libraries of this build, and their versions.
 extern const char* const built_with;
 
 } // namespace placedpar

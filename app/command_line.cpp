@@ -41,8 +41,7 @@ std::vector<Command>& commands_of_program() {
     return all;
 }
 
-/// Returns the version text. The text also names the program, because a program with its own kinds may have its own
-/// version.
+/// Returns the version text. The text also names the program, because a user's own program may have its own version.
 std::string version_of_program() {
     return program_name() == "placedpar" ? "placedpar " + version_text()
                                          : fmt::format("{} (PlacedPar {})", program_name(), version_text());
@@ -68,8 +67,8 @@ bool is_file(const std::string& name) {
     return lower_case(name).ends_with(".cfs") || std::filesystem::is_regular_file(name, error);
 }
 
-/// Returns the command to suggest if the first word is a command of many other programs (help, version) or the name of
-/// a file; "" for other words.
+/// Returns the command that a user probably meant, for a suggestion. The first word may be a command of many other
+/// programs (help, version) or the name of a file; for other words, returns "".
 std::string meant_by(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     if (first == "help")
@@ -110,8 +109,8 @@ bool takes_settings_as_arguments(const DeclaredCommand& command) {
     return std::ranges::find(command.options, "SETTING", &DeclaredOption::label) != command.options.end();
 }
 
-/// Says how the command sets a value of the netlist, for users who typed the value in another way; "" if the command
-/// sets no values.
+/// Returns a sentence about how this command sets a value of the netlist, for users who typed the value in another way.
+/// Returns "" if the command sets no values.
 std::string how_to_set(const DeclaredCommand& command, const std::string& setting) {
     if (takes_settings_as_arguments(command))
         return fmt::format("values of the netlist are set without an option: {}", setting);
@@ -184,7 +183,7 @@ void declare_all(CLI::App& app, const std::vector<Command>& commands, const std:
     app.require_subcommand(1);
 }
 
-/// Parses as parse() does, and throws UserError for an unknown command.
+/// Parses as parse() does, but first throws UserError for an unknown command.
 ExitCode read(CLI::App& app, int argc, char** argv) {
     if (argc > 1)
         require_command(declared(app), std::span(argv, static_cast<std::size_t>(argc)).subspan(1));

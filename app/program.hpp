@@ -17,13 +17,14 @@
 
 namespace placedpar {
 
-/// A function that adds a policy to the policies for one step of a search, such as Reproduction::add<Truncation> (OneOf
-/// in gaprocs/policies/policy.hpp).
+/// A function that adds a user's own policy to the policies for one step of a genetic search, such as
+/// Reproduction::add<Truncation> (gaprocs/policies/policy.hpp).
 using AddPolicy = void (*)();
 
-/// The main() of a program with the commands of placedpar, except the commands for the thesis's experiments and for the
-/// monitor. The program adds its own kinds, search problems, policies and devices to PlacedPar's. Messages and help use
-/// the name of the program's file. Returns the exit code. A name that is already taken is reported as a user's error.
+/// Runs a user's own program: the main() of that program calls this function and returns the result, the exit code. The
+/// program has the commands of placedpar, except those for the thesis's experiments and for the monitor. It adds its
+/// own process kinds, search problems, policies and devices to PlacedPar's. Messages and help use the name of the
+/// program's file. A name that is already taken is reported as a user's error.
 int run_program(int argc, char** argv, std::vector<ProcessKind> own_kinds, std::vector<ProblemFamily> own_problems = {},
                 std::vector<AddPolicy> own_policies = {}, std::vector<DeviceKind> own_devices = {});
 

@@ -12,19 +12,19 @@
 
 namespace placedpar {
 
-/// The files that show the course of a run.
+/// The names of the files that show the course of a run.
 struct RecordedFiles {
     std::string trace, page; ///< "": not written
     TraceWindow window = {};
 };
 
-/// Records a run while it happens, and writes the RecordedFiles afterwards.
+/// Records a run of a network while it happens, and writes the RecordedFiles afterwards.
 class Recorders {
 public:
-    /// Throws UserError if a file cannot be written. `another`, if not null, receives all events as well.
+    /// Throws UserError if a file cannot be written. If `another` is not null, it receives all events, too.
     Recorders(const Network&, const RecordedFiles&, TraceSink* another = nullptr);
 
-    /// Returns null if nothing is recorded.
+    /// Returns the object to which the run must send its events; null if nothing is recorded.
     TraceSink* sink() { return fork_ ? &*fork_ : nullptr; }
     /// REQUIRES: the run is over.
     void finish(const PageContent&, std::span<const PathPart> critical_path = {});

@@ -4,8 +4,8 @@
 
 namespace placedpar {
 
-/// While an object exists, SIGINT and SIGTERM request the interruption instead of ending the program. Only one object
-/// may exist at a time.
+/// While an object of this class exists, SIGINT and SIGTERM do not end the program. They request an interruption, so
+/// that the run ends early and its results so far are printed. Only one object may exist at a time.
 class InterruptedBySignals : public Interruption {
 public:
     InterruptedBySignals();

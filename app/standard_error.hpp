@@ -6,10 +6,10 @@ namespace placedpar {
 
 // These functions write to standard error while the program works.
 
-/// Prints the warnings unchanged; this function is a WarningSink.
+/// Prints the warnings unchanged. This function can be used as a WarningSink.
 void print_warnings(const std::string& warnings);
 
-/// Shows one line about the work in progress; shows nothing if standard error is not a terminal.
+/// Shows one line about the work in progress. If standard error is not a terminal, shows nothing.
 class ProgressLine {
 public:
     ProgressLine();

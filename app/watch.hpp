@@ -8,18 +8,18 @@
 
 namespace placedpar {
 
-/// Shows a GenerationLog on standard error during the run. On a terminal it draws the curve of the searches, at the
-/// terminal's present width, and redraws it at most ten times a second. Elsewhere it prints a line for generations 1,
-/// 2, 5, 10, 20 and so on. It changes no terminal mode, so the terminal is intact however the program ends.
+/// Shows on standard error how a genetic search advances during a run. On a terminal, draws the curve of the fitness,
+/// at the terminal's present width, and redraws it at most ten times a second. Elsewhere, prints a line for generations
+/// 1, 2, 5, 10, 20 and so on. It changes no mode of the terminal, so the terminal is intact however the program ends.
 class Watch final : public SearchObserver {
 public:
-    /// `heading` is the first line. The log receives all events. REQUIRES: the log outlives this object.
+    /// `heading` is the first line. `log` receives all events of the run. REQUIRES: the log outlives this object.
     Watch(GenerationLog& log, std::string heading);
 
     void observe(const ObservedGeneration&) override;
     void observe(const ObservedMigration& migration) override { log_.observe(migration); }
     void observe(const ObservedAnswer& answer) override { log_.observe(answer); }
-    /// Shows the ending.
+    /// Shows the state at the end of the run.
     void finish();
 
 private:

@@ -34,16 +34,16 @@ struct Sums {
 };
 
 /// Neighbouring estimates of a series, which are searched for a change. The scatter is computed from the whole series,
-/// so this struct also describes the rest of the series: `squares_elsewhere` is the sum of the squared distances of its
-/// estimates from their means, in squared standard errors, and `degrees_elsewhere` is the number of degrees of freedom
-/// of this sum.
+/// so this struct also describes the rest of the series. `squares_elsewhere` is the sum of the squared distances of the
+/// rest's estimates from their means, in squared standard errors. `degrees_elsewhere` is the number of degrees of
+/// freedom of this sum.
 struct Part {
     std::span<const UncertainValue> estimates;
     double squares_elsewhere = 0;
     std::size_t degrees_elsewhere = 0;
 };
 
-/// A possible change in a Part, before the estimate with index `at`: sums over the estimates before and after the
+/// A possible change in a Part, before the estimate with index `at`, with sums over the estimates before and after the
 /// change.
 struct Split {
     std::size_t at = 0;
@@ -63,8 +63,8 @@ struct Split {
     }
 };
 
-/// Says by which errors the difference of the means is divided: by the standard errors that the estimates state, or by
-/// errors computed from the scatter of the estimates.
+/// Selects the errors by which the difference of the means is divided: the standard errors of the estimates, or errors
+/// computed from the scatter of the estimates.
 enum class ErrorsBy { standard_errors, scatter };
 
 struct BestSplit {
@@ -87,8 +87,8 @@ BestSplit best_split(const Part& part, ErrorsBy errors) {
     return best;
 }
 
-/// Returns the share of random parts without a change whose best split has at least this quotient. Stops counting once
-/// the share exceeds `level`.
+/// Returns the share of random parts without a change in which the best split has at least this quotient by chance.
+/// Stops counting when the share exceeds `level`.
 double probability_of(double quotient, const Part& part, ErrorsBy errors, double level) {
     RandomStream random(1, "series without a change");
     std::vector<UncertainValue> estimates(part.estimates.begin(), part.estimates.end());
@@ -112,7 +112,7 @@ class ChangingSeries {
 public:
     explicit ChangingSeries(const std::vector<UncertainValue>& series)
         : series_(series), zero_(series.empty() ? 0 : series.front().value) {
-        for (UncertainValue& each : series_) // moves the values near 0, so that the sums of squares lose no digits
+        for (UncertainValue& each : series_) // shifts the values near 0, so that the sums of squares lose no digits
             each.value -= zero_;
     }
 
@@ -153,8 +153,8 @@ private:
             sum += sums_of(number).scatter();
         return sum;
     }
-    /// Returns the mean square of the estimates' distances from the means of their parts, in squared standard errors; 1
-    /// if the series is too short.
+    /// Returns the mean square of the estimates' distances from the means of their parts, in squared standard errors.
+    /// If the series is too short, returns 1.
     double scatter() const {
         const bool tells = series_.size() >= fewest_for_scatter && series_.size() > probabilities_.size() + 1;
         return tells ? squares() / static_cast<double>(series_.size() - probabilities_.size() - 1) : 1;

@@ -12,9 +12,10 @@
 
 namespace placedpar {
 
-/// The search for all compliances of a circuit together (thesis 3.1 and 3.2). The string codes one compliance for each
-/// junction, in the circuit's order: `bits` bits for a value from 0 to 0.1 in^3/psi. A sample holds the values of the
-/// junctions' LinkSamples, one junction after the other.
+/// The problem that a genetic algorithm solves to find all compliances of a circuit together (thesis 3.1 and 3.2). A
+/// circuit is the part of the main valve through which links share oil, with one junction per link. The string codes
+/// one compliance for each junction, in the circuit's order. A compliance has `bits` bits for a value from 0 to 0.1
+/// in^3/psi. A sample has the measured values of all junctions (LinkSample), one junction after the other.
 class CircuitProblem {
 public:
     /// The upper end of the searched range; thesis 3.1.1: 0.1 > C > 0.0.
@@ -39,7 +40,8 @@ public:
     const hydraulics::Circuit& circuit() const { return circuit_; }
     hydraulics::InletFlow inlet_flow() const { return form_; }
     const ParameterCoding& coding() const { return coding_; }
-    /// Returns the first junction's field of the string. The fields of all junctions have the same range.
+    /// Returns the range and bits of the first junction's compliance in the string. All junctions have the same range
+    /// and bits.
     const ParameterField& field() const { return coding_.field(0); }
 
     template <BinaryString G>
@@ -50,9 +52,10 @@ public:
     CompliancesOf<Lanes<width>> parameters_of_several(const StringsInLanes<width, gray>& strings) const {
         return compliances_of<Lanes<width>>(strings);
     }
-    /// Returns the terms of the equations that depend only on the sample, for error_of().
+    /// Returns the terms of the equations that depend only on the sample. A search computes them once for all strings.
     hydraulics::CircuitTerms prepared(std::span<const double> sample) const;
-    /// Returns the error of a set of compliances; if T is `Lanes`, the errors of several sets.
+    /// Returns the error of the flow balances with these compliances. If T is `Lanes`, a class of several doubles,
+    /// returns the errors of several strings at once.
     template <typename T>
     T error_of(std::span<const T> compliances, const hydraulics::CircuitTerms& prepared) const {
         return hydraulics::circuit_error_in3_per_s<T>(circuit_, compliances, prepared, flow_, form_);

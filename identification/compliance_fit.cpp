@@ -85,8 +85,8 @@ ComplianceFit fit_at(const PerLinkVector& compliance, const Eigen::VectorXd& mis
     return fit;
 }
 
-/// Returns the fitness of every string. The index of a string is the string read as a number. The leftmost bits of a
-/// string are the first junction's code. Unlike in a search, the fitness is not rounded.
+/// Returns the fitness of every string. The string, read as a number, is its index in the result. The leftmost bits of
+/// a string are the first junction's code. The fitness is not rounded, as a search would round it.
 std::vector<double> fitness_of_all(const Circuit& circuit, std::span<const CircuitSample> window,
                                    const FlowConstants& flow, InletFlow form, std::size_t bits, double largest,
                                    double bias) {
@@ -125,7 +125,7 @@ std::optional<ComplianceFit> fit(const Circuit& circuit, std::span<const Circuit
         if (step.cwiseAbs().maxCoeff() < settled)
             return fit_at(compliance, missing, normal);
         // Far from the solution a full step may be too long, because the square root of the orifice equation is not
-        // linear. So the step is halved until the missing flows are not greater than before.
+        // linear. Therefore the step is halved until the missing flows are not greater than before.
         Eigen::VectorXd then = residuals(compliance - step);
         while (then.squaredNorm() > missing.squaredNorm() && step.cwiseAbs().maxCoeff() >= settled) {
             step /= 2;

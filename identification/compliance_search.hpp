@@ -11,7 +11,7 @@
 
 namespace placedpar::identification {
 
-/// States which compliances to identify from a record, and how to interpret the record's readings.
+/// What a user wants to know from a record: which compliances to identify, and how to interpret the record's readings.
 struct Question {
     hydraulics::Configuration configuration = hydraulics::Configuration::a;
     hydraulics::LinkSet links = {hydraulics::Link::boom};
@@ -21,7 +21,7 @@ struct Question {
     hydraulics::Side side = hydraulics::Side::inlet;
 };
 
-/// A search for compliances, prepared from a record.
+/// All that a search for compliances needs, taken from a record.
 struct ComplianceSearch {
     CircuitProblem problem;
     hydraulics::FlowConstants flow;
@@ -29,13 +29,13 @@ struct ComplianceSearch {
     std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
 };
 
-/// Returns the resolution of the spool's sensor.
+/// Returns the resolution of the spool's sensor, which limits how small an offset can be found.
 double spool_sensor_step_in(const hydraulics::Parameters& machine);
 
-/// Prepares the search for the compliances that the question asks for. Throws UserError unless all links are in one
-/// group that the configuration couples (hydraulics::coupled_groups()). For the outlet side, also throws UserError if a
-/// link other than the boom is asked for, or if areas_from is AreasFrom::areas. Throws UnfitRecord if the record lacks
-/// a needed channel.
+/// Prepares the search for the compliances that the question asks for. All links must be in one coupled group, that is,
+/// share oil in this configuration (hydraulics::coupled_groups()); otherwise throws UserError. For the outlet side,
+/// also throws UserError if the question has another link than the boom, or if areas_from is AreasFrom::areas. Throws
+/// UnfitRecord if the record lacks a needed channel.
 ComplianceSearch prepare(const hydraulics::Record& record, const hydraulics::Parameters& machine,
                          const Question& question, const IdentificationWay& way);
 

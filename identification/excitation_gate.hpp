@@ -4,17 +4,19 @@
 
 namespace placedpar::identification {
 
-/// The gate decides whether the search for a link's compliance may run. It is open while the link's pressure changes
-/// fast enough over the window, or while enough oil flows into the compliance. The second condition admits a soft hose,
-/// whose pressure rises slowly. Otherwise the gate is shut: the search would follow the noise, so the estimate of the
-/// compliance stays unchanged (frozen).
+/// The gate decides whether the search for a link's compliance may run. A pressure that hardly changes says nothing
+/// about the compliance, and the search would follow the noise. Therefore the gate is open only while the link's
+/// pressure changes fast enough over the window of samples, or while enough oil flows into the compliance. The second
+/// condition admits a soft hose, whose pressure rises slowly. While the gate is shut, the estimate of the compliance
+/// stays unchanged; it is called frozen.
 struct ExcitationGate {
-    double slope_psi_per_s = 800; ///< least rms slope; we chose it so that with up to medium noise, 9 of 10 estimates
-                                  ///< are right to within 10 %
+    double slope_psi_per_s = 800; ///< least rms slope of the pressure; chosen so that with up to medium noise, 9 of 10
+                                  ///< estimates are right to within 10 %
 
-    /// The thesis's compliance. At this compliance both conditions are met at the same slope.
+    /// The boom's compliance in the thesis. For a link with this compliance, both conditions demand the same slope.
     static constexpr double thesis_in3_per_psi = 0.0086;
-    /// While no compliance has been found, this share of `slope_psi_per_s` suffices: 150 psi/s, as in UsableSamples.
+    /// Until a first compliance is found, this share of `slope_psi_per_s` suffices: 150 psi/s, as in UsableSamples
+    /// (hydraulics/circuit/circuit_sample.hpp).
     static constexpr double first_share = 150. / 800;
 
     /// Returns whether the search may run, given the rms slope over a window and the latest compliance.

@@ -7,24 +7,25 @@
 
 namespace placedpar::identification {
 
-/// Names a reason why a compliance may be wrong.
+/// A reason why an identified compliance may be wrong. Users get it as a warning beside the compliance.
 enum class FlagKind : unsigned char {
     lower_bound,   ///< the answer is at the search's lower bound
     upper_bound,   ///< the answer is at the search's upper bound
     no_excitation, ///< the pressure hardly changes
-    misfit,        ///< the best individual's flow error exceeds the square root of the bias of the fitness
+    misfit, ///< even the best individual leaves too great an error of the flows: above the root of the fitness's bias
     still_valve,   ///< the valve reading never changes
     unsettled,     ///< the best individuals of the last generations disagree
-    inconsistent,  ///< the sets of links that were searched apart disagree: cross-check 1 of thesis 3.3
+    inconsistent,  ///< searches with different sets of links found different compliances of this link: cross-check 1 of
+                   ///< thesis 3.3
     halves,        ///< the two halves of the samples disagree
-    uncertain,     ///< the relative standard error is too large
+    uncertain,     ///< the standard error exceeds uncertain_share of the compliance
     offset,        ///< the calibration found a spool offset, which may really be a leak
     vacuum,        ///< a pressure is below vacuum
     frozen,        ///< the pressure's reading stays constant, then jumps
     falls,         ///< the piston retracts while oil flows in
     unconfirmed,   ///< least squares finds another compliance, or a compliance with a large standard error
     impossible,    ///< physically impossible readings, such as single outliers
-    leak_or_offset ///< a leak or an offset; the record does not tell which
+    leak_or_offset ///< the link has a leak or an offset; the record does not tell which
 };
 
 /// Returns the name used in machine-readable results, such as "lower_bound".
@@ -44,13 +45,14 @@ struct LeastSquares {
     friend bool operator==(const LeastSquares&, const LeastSquares&) = default;
 };
 
-/// The relative standard error above which a compliance is flagged. We chose this value: with a standard error of 10 %,
-/// one answer in three is wrong by more than 10 %.
+/// A compliance with a greater relative standard error is flagged as uncertain. With a standard error of 10 %, one
+/// answer in three is wrong by more than 10 %. The limit is this project's choice.
 inline constexpr double uncertain_share = 0.1;
 
-/// Return whether an answer is within two steps of the lower end of the search's range, or within three steps of the
-/// upper end. A step is the difference between neighbouring codes. A spool offset can make the data fit best at a
-/// compliance that is negative or beyond the range. The search then stays at the end of its range.
+/// These functions return whether an answer is at an end of the search's range: within two steps of the lower end, or
+/// within three steps of the upper end. A step is the difference between the compliances of neighbouring codes. Such an
+/// answer is suspect: a spool offset can make the data fit best at a compliance beyond the range, and the search then
+/// stays at the range's end.
 bool at_lower_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 bool at_upper_bound(double compliance_in3_per_psi, double step_in3_per_psi);
 
@@ -58,9 +60,10 @@ Flag lower_bound_flag();
 Flag upper_bound_flag();
 Flag uncertain_flag(double compliance_in3_per_psi, double standard_error_in3_per_psi);
 
-/// Returns a flag unless the answer is confirmed. The answer is confirmed if its distance from the reference, plus two
-/// standard errors of the reference, is at most 10 % of the reference. We chose these limits, and tuned them on
-/// simulated machines of all configurations. `samples` describes the samples of the reference in words.
+/// Returns a flag if the result `reference` of least squares does not confirm the answer. The reference confirms an
+/// answer if their distance, plus two standard errors of the reference, is at most 10 % of the reference. This project
+/// chose these limits on simulated machines of all configurations. `samples` describes in words the samples from which
+/// the reference was computed.
 std::optional<Flag> unconfirmed_flag(double compliance_in3_per_psi, const LeastSquares& reference,
                                      std::string_view samples);
 

@@ -17,8 +17,8 @@ using namespace hydraulics;
 
 namespace {
 
-// We chose these limits: half the limits of ExcitationGate. Below them, at medium noise, a third of the estimates are
-// wrong by more than 10 %.
+// An answer is flagged below these limits of a pressure's slope and of the flow into the compliance, half of the limits
+// of ExcitationGate. Below them, at medium noise, a third of the estimates are wrong by more than 10 %.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
 // A link is flagged if the compliances found in the two halves of the samples differ by more than this share of the
 // answer.
@@ -26,7 +26,7 @@ constexpr double halves_differ = 0.3;
 // The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
-/// Flags an answer at a bound of the search. This function and the next return whether they have flagged the link.
+/// Flags an answer at a bound of the search. Returns whether it has flagged the link, as the next function does.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
     bool low = at_lower_bound(link.compliance_in3_per_psi, step);
@@ -57,7 +57,7 @@ void flag_uncertainty(LinkIdentified& link) {
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
-/// Flags a valve reading that never changes. A valve that has opened keeps moving, so the sensor must be dead.
+/// Flags a valve whose reading never changes. A valve that has opened keeps moving, so the sensor must have failed.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     auto area_in2 = [&](const CircuitSample& sample) {
         const LinkSample& read = sample.links[junction];

@@ -6,33 +6,33 @@
 
 namespace placedpar::identification {
 
-/// Adds to LinkIdentified::flags the reasons why a compliance may be wrong:
+/// Adds to LinkIdentified::flags the reasons why an identified compliance may be wrong:
 ///
-/// - at a bound of the search: the true value may lie beyond the bound, and a spool offset can make the best fit
-/// negative;
+/// - at a bound of the search: the true value may lie beyond the bound, because a spool offset can make even a negative
+///   value fit best;
 /// - no excitation: the pressure hardly changes over `window`, so noise determines the answer;
-/// - inconsistent: the best individual's flow error exceeds the square root of the bias of the fitness (misfit), the
-///   two halves of the samples `halved` disagree, the valve reading never changes, or the piston retracts while oil
-///   flows in;
+/// - inconsistent: the two halves of the samples `halved` give different compliances, the valve's reading never
+///   changes, the piston retracts while oil flows in, or the best individual's error of flow exceeds the root of the
+///   fitness's bias;
 /// - impossible: a pressure below vacuum, or a pressure that freezes and then jumps;
-/// - uncertain: the relative standard error of least squares exceeds uncertain_share;
-/// - unconfirmed: least squares over all samples, if it was computed, does not confirm the answer (unconfirmed_flag()).
+/// - uncertain: the standard error of least squares exceeds 10 % of the compliance (uncertain_share);
+/// - unconfirmed: least squares over all samples gives another compliance (unconfirmed_flag()).
 ///
-/// The last two flags are omitted if a bound or the lack of excitation has already been flagged. `samples` holds all
-/// samples that were used.
+/// A link that is flagged for a bound or for no excitation gets neither of the last two flags. `samples` holds all
+/// samples of the search.
 void add_flags(Identified& identified, const CircuitProblem& problem, const hydraulics::FlowConstants& flow,
                std::span<const hydraulics::CircuitSample> samples, std::span<const hydraulics::CircuitSample> window,
                std::span<const hydraulics::CircuitSample> halved, const IdentificationWay& way);
 
-/// For each sensor, flags the first reading that stands out from its neighbours (spike.hpp). Checks only the readings
-/// from which the samples are computed.
+/// For each sensor, flags the first reading that stands out from its neighbours, because no machine moves like that
+/// (spike.hpp). Checks only the readings from which the samples are computed.
 void flag_spikes(Identified& identified, const hydraulics::Record& record,
                  std::span<const hydraulics::CircuitSample> samples);
 
-/// Flags the boom's compliance if the calibrated offset exceeds the sensor's resolution plus three standard errors. An
-/// offset calibrated from the record itself may really be a leak: a leak and an offset change the same balance of
-/// flows, so the calibration would hide the leak (examples/hydraulics/faults). Negative offsets are not flagged,
-/// because a leak looks like a positive offset.
+/// Flags the boom's compliance if the calibration found an offset greater than the sensor's resolution plus three
+/// standard errors. Such an offset may really be a leak. Both change the same balance of flows, so the calibration
+/// would hide the leak (examples/hydraulics/faults). A leak looks like a positive offset; negative offsets are
+/// therefore not flagged.
 void flag_calibration(Identified& identified, const SpoolOffset& found, double resolution_in);
 
 } // namespace placedpar::identification

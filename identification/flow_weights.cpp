@@ -8,13 +8,12 @@ namespace {
 
 using Square = PerJunction<PerJunction<double>>;
 
-/// This is the least standard deviation of a flow: its square is added to the mean square of each flow. It is about the
-/// resolution of the readings. Without this addition, some combinations of flows would get unlimited weight in records
-/// without noise.
+/// The square of this number is added to the mean square of each missing flow (the error of a junction's flow balance).
+/// The number is about the resolution of the readings. Without this addition, some combinations of flows would get
+/// unlimited weight in records without noise.
 constexpr double least_scatter_in3_per_s = 0.1;
 /// With few samples, the mean square of some combination of flows is too small by chance. Therefore shrinkage * mean *
-/// junctions / samples^2 is added to the mean square of each flow, where `mean` is the mean of the mean squares of all
-/// flows.
+/// junctions / samples^2 is added to the mean square of each flow. `mean` is the mean of the mean squares of all flows.
 constexpr double shrinkage = 10;
 
 Square covariance_at(const Circuit& circuit, std::span<const CircuitSample> samples, const FlowConstants& flow,

@@ -11,16 +11,17 @@
 
 namespace placedpar::identification {
 
-/// Scales the missing flows of a circuit so that they become uncorrelated. Two junctions share the flow through a
-/// bypass, so an error in the bypass area appears in two missing flows with opposite signs. The sum of absolute values
-/// in equation 3.11 counts this error twice; the weights remove this effect. The weights are our addition: the thesis
-/// gives all flows the same weight.
+/// Combines the missing flows of a circuit, that is, the errors of its junctions' flow balances, so that they become
+/// uncorrelated. Two junctions share the flow through a bypass. An error in the bypass's area therefore appears in two
+/// missing flows, with opposite signs. The sum of absolute values in equation 3.11 counts this error twice; the
+/// weighted error counts it once. The thesis gives all flows the same weight.
 struct FlowWeights {
-    /// The inverse of the Cholesky factor of the scatter (mean products of the missing flows), times a constant. Row j
-    /// has entries for the junctions up to j.
+    /// The inverse of the Cholesky factor of the missing flows' scatter matrix (the mean products of each two flows),
+    /// times a constant. Row j has entries for the junctions up to j.
     hydraulics::PerJunction<hydraulics::PerJunction<double>> rows{};
 
-    /// Returns the scaled flows of the first `junctions` junctions. T is double or Lanes.
+    /// Returns the uncorrelated flows of the first `junctions` junctions. T is double, or Lanes, a class of several
+    /// doubles.
     template <typename T>
     hydraulics::PerJunction<T> scaled(const hydraulics::PerJunction<T>& missing, std::size_t junctions) const {
         hydraulics::PerJunction<T> scaled;
@@ -33,17 +34,18 @@ struct FlowWeights {
     }
 };
 
-/// Returns the weights for the scatter of the missing flows at these compliances. The mean squares of the scaled flows
-/// add up to `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance for each junction.
+/// Returns the weights that make the missing flows at these compliances uncorrelated. With these weights, the mean
+/// squares of the scaled flows add up to `mean_square`. REQUIRES: samples of this circuit, at least one; a compliance
+/// for each junction.
 FlowWeights weights_at(const hydraulics::Circuit& circuit, std::span<const hydraulics::CircuitSample> samples,
                        const hydraulics::FlowConstants& flow, std::span<const double> compliance_in3_per_psi,
                        double mean_square);
 
-/// The mean square of the weighted error at the best individual, as a share of the bias of equation 3.9. With this
-/// share, selection by fitness works equally well at each level of noise.
+/// `mean_square` of weights_at(), as a share of the bias in the fitness (equation 3.9). If the best individual always
+/// has this share of error, selection by fitness works equally well at each level of noise.
 inline constexpr double share_of_bias = 0.25;
 
-/// Returns the root of the sum of squares of the scaled flows.
+/// Returns the error of these compliances at one sample: the root of the sum of squares of the scaled flows.
 template <typename T>
 T weighed_error(const hydraulics::Circuit& circuit, std::span<const T> compliances,
                 const hydraulics::CircuitTerms& terms, const hydraulics::FlowConstants& flow,
@@ -58,7 +60,7 @@ T weighed_error(const hydraulics::Circuit& circuit, std::span<const T> complianc
     return sqrt(squares);
 }
 
-/// A CircuitProblem whose error is weighed_error().
+/// A CircuitProblem (the search for a circuit's compliances) with weighed_error() as its error.
 class WeighedCircuit : public CircuitProblem {
 public:
     WeighedCircuit(const CircuitProblem& problem, const hydraulics::FlowConstants& flow, const FlowWeights& weights)

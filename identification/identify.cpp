@@ -15,7 +15,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns the last estimate that was not frozen.
+/// Returns the last estimate that was not frozen, that is, for which the pressure changed fast enough.
 const TransientEstimate& last_live(std::span<const TransientEstimate> estimates) {
     return *std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
 }
@@ -44,8 +44,8 @@ void compare_with_least_squares(Identified& result, std::span<const CircuitSampl
         result.links[j].standard_error = fit ? fit->standard_error[j] : std::numeric_limits<double>::infinity();
 }
 
-/// Stores the result of least squares over all samples with each answer. A search for several compliances can settle on
-/// a wrong string, and a short window does not show that the string is wrong.
+/// Stores with each answer the result of least squares over all samples, for comparison. A search for several
+/// compliances can settle on a wrong string, and a short window of samples does not show that the string is wrong.
 void compare_with_all_samples(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     auto fit = fit_beside(result, samples, flow);
     for (std::size_t j = 0; j < result.links.size(); ++j)

@@ -16,14 +16,14 @@ using namespace hydraulics;
 
 namespace {
 
-/// A sample of steady motion. Its flow is trusted; its spool reading may be wrong.
+/// A sample of steady motion. The flow is assumed to be right; the spool's reading may be wrong.
 struct SteadySample {
     double inlet_psi, piston_flow_in3_per_s, spool_in;
 };
 
 /// Returns by how much the pump's flow exceeds the flows to the cylinder and to the tank, if the true spool position is
-/// the reading minus the offset. This missing flow falls as the offset grows, since a smaller spool position opens the
-/// bypass wider.
+/// the reading minus the offset. With a greater offset, the spool position is smaller and the bypass is wider open, so
+/// the result is smaller.
 double missing_in3_per_s(const SteadySample& sample, double offset_in, const FlowConstants& flow) {
     OrificeAreas areas = boom_orifices(std::max(sample.spool_in - offset_in, boom_dead_band_in + 1e-4));
     double pump_psi =

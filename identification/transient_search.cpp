@@ -17,7 +17,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns whether the gate is shut for at least one link, if the links have these compliances.
+/// Returns whether the pressure of at least one link changes too slowly for the search (excitation_gate.hpp), if the
+/// links have these compliances.
 bool is_unexcited(std::span<const CircuitSample> window, std::span<const double> compliance_in3_per_psi,
                   const ExcitationGate& gate) {
     for (std::size_t j = 0; j < compliance_in3_per_psi.size(); ++j)

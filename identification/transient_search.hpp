@@ -13,11 +13,11 @@
 
 namespace placedpar::identification {
 
-/// The answer of the search after a sample.
+/// The compliances that the search has found when it has used one more sample.
 struct TransientEstimate {
     std::size_t index; ///< index of the sample in the record
     double time_s;
-    bool frozen;            ///< whether the gate was shut; if so, the compliance is unchanged
+    bool frozen; ///< whether the pressure changed too slowly (excitation_gate.hpp); the compliance is then unchanged
     double error_in3_per_s; ///< rms error of the best individual over the window
     std::vector<double> compliance_in3_per_psi;
 };
@@ -27,10 +27,10 @@ struct SearchRun {
     std::uint64_t generations = 0;
 };
 
-/// The answer of a simulated machine that receives each sample when the sample is taken.
+/// The answer of a simulated network of transputers that receives each sample at the time at which the sensors take it.
 struct AnswerInTime {
     std::vector<double> compliance_in3_per_psi; ///< in the circuit's order
-    std::string process;                        ///< the search whose answer is the fittest
+    std::string process;                        ///< the searching process whose answer has the greatest fitness
     double sample_s = 0;                        ///< time of the last sample that was searched
     double after_s = 0;                         ///< time from that sample to the answer
     bool keeps_pace = true;    ///< whether each answer is ready within one sampling period of its sample
@@ -40,8 +40,9 @@ struct AnswerInTime {
 /// Throws UnfitRecord if there are too few samples for the first generation.
 void require_samples(std::span<const hydraulics::CircuitSample> samples, const IdentificationWay& way);
 
-/// Runs one search over the samples. Unlike run_traditional(), it stops while the gate is shut (excitation_gate.hpp),
-/// and it empties the window at a gap in the record. Throws what require_samples() throws.
+/// Runs one search over the samples, on the computer and not on simulated transputers. Unlike run_traditional(), stops
+/// the search while the pressure changes too slowly (excitation_gate.hpp), and empties the window of samples at a gap
+/// in the record. Throws what require_samples() throws.
 SearchRun search_transient(const CircuitProblem& problem, std::span<const hydraulics::CircuitSample> samples,
                            const IdentificationWay& way, RandomStream random);
 

@@ -22,7 +22,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// The length of the thesis's window. The excitation is judged on this number of samples at the beginning.
+/// The number of samples in the thesis's window. These samples at the beginning show whether the pressure changes fast
+/// enough.
 constexpr std::size_t transient_samples = 10;
 
 std::vector<Sample> values_of(std::span<const CircuitSample> samples) {
@@ -65,7 +66,7 @@ SearchRun search_whole(const ComplianceSearch& prepared, std::span<const Circuit
     return run;
 }
 
-/// Stores the results of weighted least squares over all samples with each answer.
+/// Stores with each answer the result of weighted least squares over all samples, for comparison.
 void compare_with_weighed_fit(Identified& result, std::span<const CircuitSample> samples, const FlowConstants& flow) {
     std::vector<double> found;
     for (const LinkIdentified& link : result.links)

@@ -63,7 +63,7 @@ struct Loaded {
     Network network;
 };
 
-/// Reads the job's netlist, or makes a netlist with one transputer for a program in occam.
+/// Reads the job's netlist. For a program in occam, makes a netlist with one transputer.
 Loaded load(const Job& job, std::string& warnings) {
     const WarningSink warn = [&warnings](const std::string& text) { warnings += unpainted(text); };
     ParsedNetlist parsed(job.main, {.make_netlist = netlist_maker({})});
@@ -71,7 +71,7 @@ Loaded load(const Job& job, std::string& warnings) {
     return {std::move(parsed), std::move(network)};
 }
 
-/// Collects the output of programs, and ends the run if there is too much.
+/// Collects what programs write to the screen, and ends the run if they write too much.
 class Screen {
 public:
     explicit Screen(Interruption& interruption) : interruption_(interruption) {}
@@ -94,7 +94,8 @@ private:
     std::string output_;
 };
 
-/// Returns the host for a run with changed settings. The host presses the same keys, but does not show the screen.
+/// Returns the host for a further run with changed settings. The host presses the same keys as in the first run, but
+/// does not show the screen.
 HostServices silent_host(const std::string& keys) {
     HostServices host;
     host.terminal = [keys] { return std::make_shared<iserver::ScriptedTerminal>(keys, [](std::string_view) {}); };
@@ -119,7 +120,7 @@ void add_page(json::object& answer, RunPage& page, const PageContent& content, s
         answer["page"] = std::move(html);
 }
 
-/// Runs the network; with "explain", also says why the run takes so long.
+/// Runs the network. For the task "explain", also finds out why the run takes so long.
 void run(const Job& job, Loaded& loaded, Interruption& interruption, json::object& answer) {
     const Network& network = loaded.network;
     Screen screen(interruption);

@@ -11,7 +11,8 @@ class Interruption; // explore/netlist_run.hpp
 
 namespace placedpar::serve {
 
-/// Executes one job and returns its answer. Both are JSON. A job has these members:
+/// Executes one job of the web page on which users run netlists and programs, and returns the answer. Job and answer
+/// are JSON. A job has these members:
 ///
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
@@ -31,11 +32,11 @@ namespace placedpar::serve {
 ///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its
 ///                       end
 ///
-/// An answer also has "warnings", unless the run failed. A process that is killed at a limit has no answer; the service
-/// answers with "killed" (serve/runs.hpp).
+/// An answer also has "warnings", unless the run failed. A process that is killed at a limit of time or memory gives no
+/// answer. The service then answers with "killed" (serve/runs.hpp).
 ///
-/// If the interruption is requested, the run ends, and the answer has the results up to then. `megabytes` is the limit
-/// of memory that the message of a run states if the run exceeds the limit.
+/// If the interruption is requested, the run ends, and the answer has the results so far. `megabytes` is the process's
+/// limit of memory. If the run exceeds it, the answer's message states this number.
 std::string answer_of(const std::string& job, std::uint64_t megabytes, Interruption&);
 
 } // namespace placedpar::serve

@@ -60,8 +60,8 @@ struct ReleaseRules {
 };
 
 /// Allows only some system calls. Threads can be started, but not processes. clone3 is refused, because its flags are
-/// in memory, which the rules cannot read; the C library then starts threads by clone. Signals can be sent only to this
-/// process, as abort() does. Returns whether the kernel has accepted the rules.
+/// in memory, which the kernel's rules cannot read. The C library then starts threads by clone. Signals can be sent
+/// only to this process, as abort() does. Returns whether the kernel has accepted the rules.
 bool allow_calls() {
     const std::unique_ptr<void, ReleaseRules> rules(seccomp_init(SCMP_ACT_ERRNO(ENOENT)));
     bool taken = rules && seccomp_attr_set(rules.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_ERRNO(ENOSYS)) == 0;

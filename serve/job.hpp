@@ -6,11 +6,12 @@
 
 namespace placedpar::serve {
 
-/// Returns the answer to a job (serve/answer.hpp). After `limits.seconds` the run is interrupted, and the answer has
-/// the results up to then.
+/// Returns the answer to a job, a run that a user of the web page starts (serve/answer.hpp). After `limits.seconds` the
+/// run is interrupted, and the answer has the results so far.
 std::string answer_of(const std::string& job, const RunLimits& limits);
 
-/// Reads a job from standard input, confines this process, and writes the answer to standard output.
+/// Reads a job from standard input, confines this process (serve/confinement.hpp), and writes the answer to standard
+/// output. The service starts a process with this function for each job.
 void do_job(const RunLimits& limits);
 
 } // namespace placedpar::serve

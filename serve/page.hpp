@@ -4,7 +4,8 @@
 
 namespace placedpar::serve {
 
-// These functions return parts of the page. The build embeds the files: see CMakeLists.txt.
+// These functions return parts of the web page on which users run programs. The build embeds the parts' files in the
+// program.
 
 std::string frame_html(); ///< the page's HTML with the placeholders @STYLE@ and @PROGRAM@
 std::string style_css();  ///< CodeMirror's style, then the page's own style

@@ -65,7 +65,7 @@ std::string refused(const char* ended, const std::string& why) {
     return boost::json::serialize(boost::json::object{{"ended", ended}, {"refused", why}});
 }
 
-/// Returns the answer for a process that ended without an answer. A killed process has exceeded a limit.
+/// Returns the answer for the user of a job whose process gave no answer. A killed process has exceeded a limit.
 std::string why_no_answer(int status, const RunLimits& limits) {
     if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
         return refused("failed", fmt::format("the run has crashed: either it needed more memory than its limit of {} "
@@ -108,7 +108,7 @@ public:
         });
     }
 
-    /// Ends the process; its answer is lost.
+    /// Kills the process. Its answer is lost.
     void withdraw() {
         runs_ = nullptr;
         kill();

@@ -15,30 +15,34 @@
 namespace placedpar::serve {
 
 struct QueueLimits {
-    std::size_t at_once = 0;                                    ///< number of jobs at a time; 0: one for each core
-    std::size_t most_waiting = 500, most_waiting_of_peer = 100; ///< values of our choice
+    std::size_t at_once = 0; ///< number of jobs that run at the same time; 0: one for each core
+    std::size_t most_waiting = 500,
+                most_waiting_of_peer =
+                    100; ///< the greatest number of waiting jobs, of all peers and of one peer; this project's choice
     RunLimits run;
 };
 
-/// Executes jobs (serve/answer.hpp), each in its own process. Further jobs wait in a queue. Checks come before runs in
-/// the queue, because checks are short and the user is typing. All functions are called from the loop's only thread.
+/// Executes the jobs of the web page's users (serve/answer.hpp), each in its own process. If all processes are busy, a
+/// job waits in a queue. A check of a program's text goes before runs in the queue, because a check is short and its
+/// user is typing. All functions are called from the event loop's only thread.
 class Runs {
 public:
     /// Receives the answer, which is JSON.
     using Done = std::function<void(std::string)>;
     using Number = std::uint64_t;
-    /// Returns the job's text. It is called when the job begins, so that waiting jobs need little memory.
+    /// Returns the job's text. This function is called only when the job begins, so that waiting jobs need little
+    /// memory.
     using Text = std::function<std::string()>;
 
     Runs(boost::asio::io_context& io, const QueueLimits& limits);
     ~Runs();
 
-    /// Begins a job or adds it to the queue. Returns nothing if too many jobs are waiting, in total or from this peer
-    /// (web::Caller). `name` is for place_of().
+    /// Begins a job or adds it to the queue. Returns nullopt if too many jobs are waiting, in total or from this peer,
+    /// the network address from which they come (web::Caller). place_of() finds the job by `name`.
     std::optional<Number> add(std::string name, std::string peer, bool is_check, Text job, Done done);
     /// Ends a job without an answer, and kills its process. Has no effect if the job has been answered.
     void withdraw(Number job);
-    /// Returns the job's place in the queue, from 1; 0 if it has begun; nothing if there is no such job.
+    /// Returns the job's place in the queue, counted from 1; 0 if the job has begun; nullopt if no job has this name.
     std::optional<std::size_t> place_of(const std::string& name) const;
 
 private:

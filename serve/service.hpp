@@ -13,11 +13,12 @@ namespace placedpar::serve {
 
 struct ServiceSettings {
     std::string address = "127.0.0.1";
-    std::uint16_t port = 8080;           ///< 0: any free port
-    std::string token_file;              ///< empty: no token is required
-    std::vector<std::string> host_names; ///< further names by which browsers may call the service, besides `address`
-    std::string keep;                    ///< folder in which the programs of runs are stored; empty: nothing is stored
-    std::filesystem::path examples;      ///< folder of the examples
+    std::uint16_t port = 8080; ///< 0: any free port
+    std::string token_file;    ///< empty: no token is required
+    /// Further host names, besides `address`, under which browsers may call the service.
+    std::vector<std::string> host_names;
+    std::string keep;               ///< folder in which the programs of runs are stored; empty: nothing is stored
+    std::filesystem::path examples; ///< folder of the examples
     QueueLimits queue;
 };
 

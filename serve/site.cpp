@@ -92,7 +92,7 @@ void require_job(const json::object& job) {
     require_seed(job);
 }
 
-/// Returns the job's member "do". Throws std::exception if the text is not a job.
+/// Returns the job's member "do", the task. Throws std::exception if the text is not a job.
 std::string task_of(const std::string& text) {
     const json::value value = json::parse(text);
     if (!value.is_object())
@@ -173,7 +173,8 @@ web::Withdraw Site::begin(const web::Request& request, const web::Reply& reply) 
     return [this, job_number = *number] { runs_.withdraw(job_number); };
 }
 
-/// Stores a job with its answer, but without the page of the run. A full disk must not stop the service.
+/// Stores a job with its answer, but without the page of the run. Only reports an error, because a full disk must not
+/// stop the service.
 void Site::keep(const std::string& job, const std::string& answer) {
     try {
         json::object answered = json::parse(answer).as_object();

@@ -11,21 +11,24 @@
 
 namespace placedpar::serve {
 
-/// Answers the paths that browsers request. "/" is the page; "/examples", "/exercises" and "/catalogue" are its data. A
-/// POST to "/job?NAME" contains a job (serve/answer.hpp) with the page's files; its reply is the job's answer.
-/// "/place?NAME" returns the position of that job in the queue. "/healthz" alone needs no token.
+/// The web site on which users run netlists and programs in occam. "/" is the page; "/examples", "/exercises" and
+/// "/catalogue" are its data. A POST to "/job?NAME" contains a job (serve/answer.hpp) with the page's files. The reply
+/// is the job's answer. "/place?NAME" returns the position of that job in the queue. "/healthz" needs no token; all
+/// other paths do.
 class Site {
 public:
-    /// `keep`: the folder in which jobs other than checks are stored; "": nowhere.
+    /// `keep` is the folder in which jobs are stored, except checks of a program's text. If it is "", no jobs are
+    /// stored.
     Site(Runs& runs, Texts examples, std::string keep);
 
-    /// See web::Server::Handler.
+    /// Answers a request, at once or later. Returns a function that withdraws the request's job (see
+    /// web::Server::Handler).
     web::Withdraw answer(const web::Request&, const web::Reply&);
 
 private:
     web::Answer data(const web::Request&) const;
     web::Withdraw begin(const web::Request&, const web::Reply&);
-    /// Returns the job with the examples added to its files.
+    /// Returns the job with the examples added to its files, since the user's files may include them.
     std::string completed(const std::string& body) const;
     void keep(const std::string& job, const std::string& answer);
 

@@ -8,13 +8,13 @@
 
 namespace placedpar::web {
 
-/// Returns the host of a "Host" field or an option, without its port: a name in lower case, or an address in its
-/// shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt if the field is neither a
-/// name nor an address.
+/// Returns the host in the "Host" field of a request, or in an option, without its port. The result is a name in lower
+/// case, or an address in its shortest form without brackets. An IPv4 address inside IPv6 becomes IPv4. Returns nullopt
+/// if the field is neither a name nor an address.
 std::optional<std::string> host_in(std::string_view field);
 
-/// Holds the host names under which browsers may use the service. All other names are refused. Otherwise an attacker
-/// could let his own host name resolve to this computer, and his web page could then read the service's answers (DNS
+/// The host names under which browsers may use the service; the service refuses all others. Otherwise an attacker could
+/// let the name of an own web site resolve to this computer, and the site's page could read the service's answers (DNS
 /// rebinding).
 class HostNames {
 public:

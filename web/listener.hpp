@@ -12,23 +12,25 @@
 
 namespace placedpar::web {
 
-/// Describes the other end of a connection.
+/// The other end of a connection to a service: a browser or another program.
 struct Caller {
-    /// The party to which limits apply: an IPv4 address, or the 64-bit network of an IPv6 address. It is "loopback" for
-    /// all loopback addresses, since each local program can use millions of addresses. At a socket in the file system,
-    /// it is the user, such as "user 1000".
+    /// The party to which limits apply, such as the greatest number of connections. For TCP, the peer is the IPv4
+    /// address, or the 64-bit network of the IPv6 address. All loopback addresses are the peer "loopback", since each
+    /// local program can use millions of them. For a socket in the file system, the peer is the user, such as "user
+    /// 1000".
     std::string peer;
     std::string name; ///< name in messages, including the port
     std::string here; ///< the local address at which the connection arrived
 };
 
-/// Accepts connections at a port or at a socket in the file system.
+/// Accepts connections for a service, at a TCP port or at a socket in the file system.
 class Listener {
 public:
     using Socket = boost::asio::generic::stream_protocol::socket;
     using Acceptor = boost::asio::basic_socket_acceptor<boost::asio::generic::stream_protocol>;
 
-    /// Listens at a port. `option` is the name of the port's option, such as "--port". Throws UserError.
+    /// Listens at a TCP port. `option` is the command-line option that sets the port, such as "--port", for messages.
+    /// Throws UserError.
     static Listener at_port(boost::asio::io_context& io, const std::string& address, std::uint16_t port,
                             const std::string& option);
     /// Listens at a socket in the file system. Replaces an old socket if no program listens there any more. Only
@@ -38,8 +40,8 @@ public:
     Listener(Listener&&) = default;
     Listener& operator=(Listener&&) = delete;
 
-    /// Begins to accept connections and gives each to `welcome`. REQUIRES: the listener is not moved until it is closed
-    /// and the event loop has run once more.
+    /// Begins to accept connections and gives each to `welcome`. REQUIRES: the listener is not moved before it is
+    /// closed and the event loop has run once more.
     void open(std::function<void(Socket, const Caller&)> welcome);
     /// Stops accepting connections and removes the socket from the file system.
     void close();
@@ -58,10 +60,10 @@ private:
     std::string path_;
 };
 
-/// Converts an IPv4 address inside IPv6 to IPv4; returns any other address unchanged.
+/// Converts an IPv4 address inside IPv6 to IPv4. Returns any other address unchanged.
 boost::asio::ip::address plain_address(const boost::asio::ip::address& address);
 
-/// Returns whether the address can be reached from this computer only; false if it is not an address.
+/// Returns whether the text is an address that only this computer can reach.
 bool is_loopback(const std::string& address);
 
 /// Returns the address as a URL needs it: IPv6 in brackets.

@@ -29,7 +29,7 @@ constexpr const char* plain = "text/plain; charset=utf-8";
 
 } // namespace
 
-/// Serves one connection of a browser.
+/// Serves one connection of a browser: one request after the other.
 class Server::Session : public std::enable_shared_from_this<Session> {
 public:
     Session(Server& server, Listener::Socket socket, Caller caller)
@@ -74,8 +74,9 @@ private:
         answering
     };
 
-    /// Reads the body, except a large body of a request that is refused or comes without the token: many such bodies
-    /// would fill the memory. A small body is always read, since a client may send it all before it reads the answer.
+    /// Reads the body of the request. A large body is not read if the request is refused or comes without the token,
+    /// since many such bodies would fill the memory. A small body is always read, since a client may send the whole
+    /// body before it reads the answer.
     void take_header() {
         if (!server_)
             return;
@@ -139,7 +140,7 @@ private:
 
     bool posts() const { return parser_->get().method() == http::verb::post; }
 
-    /// Returns the refusal of a request that the service never accepts, or nullopt.
+    /// If the service never accepts such a request, returns the refusal, otherwise nullopt.
     std::optional<Answer> unwanted() const {
         const auto& request = parser_->get();
         const bool takes_posts = server_->settings_.most_body_bytes > 0;
@@ -152,7 +153,7 @@ private:
                                   : "only GET and HEAD are allowed: nothing can be changed over HTTP\n"};
     }
 
-    /// Returns the refusal of a request that is not certainly meant for this service, or nullopt.
+    /// If the request may come from the page of another web site, returns the refusal, otherwise nullopt.
     std::optional<Answer> foreign() const {
         const auto& request = parser_->get();
         auto count = request.count(http::field::host);
@@ -170,7 +171,7 @@ private:
         return std::nullopt;
     }
 
-    /// Returns whether a page's origin, such as "http://localhost:8080", has this Host field.
+    /// Returns whether a page's origin, such as "http://localhost:8080", is the host in this "Host" field.
     static bool is_of(std::string_view origin, std::string_view host) {
         const std::size_t scheme = origin.find("://");
         return scheme != origin.npos && beast::iequals(origin.substr(scheme + 3), host);
@@ -195,8 +196,8 @@ private:
 
     bool trusted() const { return server_->trusts(std::string(parser_->get()[http::field::authorization])); }
 
-    /// Ends the session if the client closes the connection, or sends more bytes, before its request is answered. No
-    /// browser sends bytes at this time, and unread bytes would hide the end of the connection.
+    /// While a request waits for its answer, ends the session if the client closes the connection or sends more bytes.
+    /// Browsers send no bytes at this time, and unread bytes would hide the end of the connection.
     void watch() {
         if (buffer_.size() > 0)
             return end();
@@ -249,8 +250,8 @@ private:
     beast::basic_stream<boost::asio::generic::stream_protocol> stream_;
     Caller caller_;
     std::chrono::steady_clock::time_point since_;
-    bool closes_ = false; ///< the connection closes after this answer, because a body was not read or the token was
-                          ///< wrong: each guess must cost a connection
+    bool closes_ = false; ///< whether to close the connection after this answer: a body was not read, or the token was
+                          ///< wrong (each guess must cost a connection)
     State state_ = State::reading;
     Withdraw withdraw_; ///< set only while the session waits
     beast::flat_buffer buffer_{most_header_bytes};

@@ -12,13 +12,13 @@
 
 namespace placedpar::web {
 
-/// Holds a request of a browser that is meant for this service.
+/// A request of a browser or another HTTP client, whose "Host" field names this service.
 struct Request {
     bool posts = false; ///< true for POST; false for GET and HEAD
     std::string path;   ///< such as "/history"
     std::string query;  ///< the part after "?", such as "machine=digger-7"
-    std::string body;   ///< JSON; "" unless the request posts
-    bool trusted; ///< true if the client has sent the token, or no token is required; if false, the body may be missing
+    std::string body;   ///< the JSON text of a POST; "" for GET and HEAD
+    bool trusted; ///< whether the client has sent the token, or no token is required; if false, `body` may be missing
     std::string peer; ///< Caller::peer of the client
 };
 
@@ -34,20 +34,23 @@ struct ServerSettings {
     HostNames names;
     std::size_t most_body_bytes =
         0; ///< largest body of a POST; 0: POST is refused, so that no request can change anything
-    std::size_t most_sessions = 256, most_sessions_of_peer = 64; ///< values of our choice
+    std::size_t most_sessions = 256,
+                most_sessions_of_peer =
+                    64; ///< the greatest number of connections, in total and of one peer; this project's choice
     /// The content security policy. By default, content and requests come only from this service. Other pages must not
     /// embed the service's page.
     std::string policy = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
                          "connect-src 'self'; img-src 'self' data:; frame-ancestors 'none'";
 };
 
-/// Sends the answer to a request. Must be called at most once; has no effect if the client has gone.
+/// A function that sends the answer to a request. It may be called at most once. It has no effect if the client has
+/// gone.
 using Reply = std::function<void(Answer)>;
-/// The server calls this function if the client leaves before the answer is ready.
+/// A function that the server calls if the client leaves before the answer is ready.
 using Withdraw = std::function<void()>;
 
-/// Serves browsers and other HTTP clients. A POST must carry JSON. If a browser sends a POST, the request must come
-/// from the service's own page. All functions are called from the loop's only thread.
+/// Serves browsers and other HTTP clients. A POST must carry JSON. A browser's POST must come from the service's own
+/// page, so that other web pages cannot use the service. All functions are called from the event loop's only thread.
 class Server {
 public:
     /// Answers a request, immediately or later. Returns a function that withdraws the request, or an empty function.
@@ -57,8 +60,8 @@ public:
     Server(ServerSettings settings, Handler handler, std::function<void(const std::string&)> say)
         : settings_(std::move(settings)), handler_(std::move(handler)), say_(std::move(say)) {}
 
-    /// Accepts a connection. If there are too many connections, the peer with the most connections loses the connection
-    /// that has waited longest.
+    /// Accepts a connection. If there are too many connections, closes one: of the peer with the most connections, the
+    /// connection that has waited longest.
     void welcome(Listener::Socket socket, const Caller& caller);
     void close();
 

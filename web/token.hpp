@@ -6,7 +6,7 @@
 
 namespace placedpar::web {
 
-/// Holds the secret word that a client must send. If the token is empty, every client is served.
+/// The secret word that a client of a service must send. If the token is empty, every client is served.
 class Token {
 public:
     Token() = default;

@@ -19,13 +19,13 @@ namespace placedpar {
 
 namespace {
 
-/// The greatest length of a boot packet's program, in bytes: the packet's first byte states the length.
+/// The greatest length, in bytes, of a program that a boot packet can hold. The packet's first byte states the length.
 constexpr std::size_t longest_packet = 255;
 
 /// A loader for a program that does not fit in a boot packet. It reads four bytes with the program's length, and then
-/// the program, from the link that booted the transputer. It starts the program as a boot packet is started: Iptr has
-/// the address of the program's first byte, Wptr the address of the first word after the program, and C the address of
-/// the link's input channel.
+/// the program, from the link that booted the transputer. It starts the program with the same registers as a boot
+/// packet. Iptr has the address of the program's first byte, Wptr the address of the first word after the program, and
+/// C the address of the link's input channel.
 constexpr std::string_view loader_source = R"(
         ajw     -4              -- four variables; `in` uses the three words below them
         stl     0; stl  0       -- A and B are not needed

@@ -35,7 +35,8 @@ struct CalibrateOptions {
     std::string out = "-";
 };
 
-/// Returns the problems of --problem and of the netlist, or all known problems if neither is given.
+/// Returns the search problems to measure: those of --problem and of the netlist, or all known problems if neither
+/// option is given.
 std::vector<std::string> problems_to_measure(const CalibrateOptions& options) {
     std::vector<std::string> typed = options.problems, problems;
     if (!options.netlist.empty())
@@ -70,8 +71,8 @@ ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<st
     return ExitCode::success;
 }
 
-/// Returns the two ranks of mpirun; null without mpirun. If there are more than two ranks, throws UserError in rank 0;
-/// the other ranks must then end silently.
+/// Returns the two ranks, the processes that mpirun started. Returns null without mpirun. If there are more than two
+/// ranks, throws UserError in rank 0, and the other ranks must end silently.
 std::unique_ptr<Ranks> two_ranks() {
     std::unique_ptr<Ranks> ranks = ranks_of_mpirun();
     if (ranks && ranks->count() > 2 && ranks->own() == 0)

@@ -91,8 +91,8 @@ Words candidates(const DeclaredCommand& program, const Words& words) {
     return words.back().starts_with('-') ? command->names_of_options() : values_of(words.front());
 }
 
-/// Cuts the option off a last word such as --format=s, which zsh does not split, so that the value is completed.
-/// Returns the option with "=", or "".
+/// Cuts the option off a last word such as --format=s, so that only the value is completed. bash has already split such
+/// a word; zsh has not. Returns the option with "=", or "".
 std::string cut_option_off(Words& words) {
     if (words.empty() || !words.back().starts_with("--") || words.back().find('=') == std::string::npos)
         return "";

@@ -25,8 +25,8 @@ struct DisassembleOptions {
     std::string file, processor = "T800", from, until;
 };
 
-/// Reads a position in a file, in the form of the output, "+0046F", or as a decimal number, "1135". Returns nothing for
-/// any other text.
+/// Reads a position in a file: a hexadecimal number as in this command's output, "+0046F", or a decimal number, "1135".
+/// Returns nullopt for any other text.
 std::optional<std::size_t> position_of(std::string_view text) {
     const bool hexadecimal = text.starts_with('+');
     if (hexadecimal)

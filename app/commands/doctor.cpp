@@ -31,11 +31,11 @@ namespace {
 struct RuntimePart {
     const char* name;
     const char* needed_by;
-    std::optional<std::string> (*find)(); ///< returns a version or a place; nothing if the part is missing
+    std::optional<std::string> (*find)(); ///< returns a version or a place; nullopt if the part is missing
     const char* advice;                   ///< what to do if it is missing
 };
 
-/// Returns the first line that a shell's command prints; nothing if it prints nothing or fails.
+/// Returns the first line that a command of the shell prints. Returns nullopt if it prints nothing or fails.
 std::optional<std::string> first_line_of(const char* command) {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> output(::popen(command, "r"), ::pclose);
     std::array<char, 256> line{};
@@ -60,8 +60,8 @@ std::optional<std::string> find_module_of_ranks() {
     return module.empty() ? std::nullopt : std::optional(module.string());
 }
 
-/// Tries to install a filter of system calls at address 0. A kernel that has filters refuses the address; a kernel
-/// without filters refuses the call.
+/// Returns whether the kernel can filter system calls, which `serve` needs. Tries to install a filter at address 0. A
+/// kernel that has filters refuses the address; a kernel without filters refuses the call.
 std::optional<std::string> find_filters_of_calls() {
     const bool refused = ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) < 0;
     return refused && errno == EFAULT ? std::optional<std::string>("yes") : std::nullopt;

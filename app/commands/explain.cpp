@@ -51,7 +51,7 @@ void require_path_format(const std::filesystem::path& path) {
             "{}: a timeline with the critical path can be written only as .json, for ui.perfetto.dev", path.string()));
 }
 
-/// The observers of a run.
+/// The objects that receive the events of a run, to explain its time.
 struct Listeners {
     Listeners(const Network& network, const RecordedFiles& files)
         : recorders(network, files, &path), searches(log_of(network)) {}
@@ -98,7 +98,8 @@ void try_changes(Explanation& explanation, const Network& network, const Explain
                 interruption);
 }
 
-/// Returns the exit code of an interruption if changes were left untried; otherwise the exit code of the run.
+/// Returns the exit code of the run. If an interruption left changes of the network untried, returns the exit code of
+/// an interruption.
 ExitCode exit_code_of(const Explanation& explanation) {
     return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
                                     : exit_code_of(explanation.report.result.ending);

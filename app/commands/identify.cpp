@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// Throws UserError if --on names a netlist, but the search that --way selects cannot run on a netlist.
+/// Throws UserError if --on names a netlist, but simulated transputers cannot make the search that --way selects.
 void require_way_of_netlist(const IdentifyOptions& options) {
     if (!options.netlist.empty() && options.way != "thesis")
         throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; --way {} runs "
@@ -60,7 +60,8 @@ void require_number_of_records(const IdentifyOptions& options) {
             "--trend needs at least two records; expected placedpar identify FIRST SECOND ... --trend FILE");
 }
 
-/// Identifies as --way thesis does, first by the direct search and then by the processes of the netlist.
+/// Identifies as --way thesis does, first on this computer and then by the simulated processes of the netlist, and
+/// compares both answers.
 ExitCode identify_on_machine(const IdentifyOptions& options, const RecordInput& input, const IdentifyOutput& output) {
     const ThesisAnswer answer = identify_by_thesis(options, input, output);
     const ProcessSearch processes =

@@ -33,16 +33,16 @@ using namespace identification;
 
 namespace {
 
-/// The range of an option, ends included. We chose each range so that it contains all practical values and excludes
-/// overflows and endless waits.
+/// The range of an option's value, both ends included. Each range contains all practical values, and excludes overflows
+/// and endless waits.
 struct Bounds {
     double least, greatest;
 };
 
 constexpr Bounds timeouts{0.01, 86400};
 
-/// Declares an option that accepts only a number within bounds. CLI11 itself would accept nan, -1 as the greatest
-/// number, and 010 as eight.
+/// Declares an option that accepts only a number within bounds. CLI11, the library that parses options, would accept
+/// nan, read -1 as the greatest number, and read 010 as eight.
 template <typename Number>
 void add_number(Options& command, const std::string& group, const char* name, Number& value, const char* type,
                 Bounds bounds, const char* about) {
@@ -148,8 +148,8 @@ void add_options(Options& command, MonitorOptions& options) {
     add_diagnosis(command, settings.diagnosis);
 }
 
-/// Returns a search that does what `identify --way thesis --on` does. Tries the search on an artificial record. Throws
-/// UserError if the netlist cannot search.
+/// Returns the search for compliances by simulated transputers, as `identify --way thesis --on` makes it. First tries
+/// the search on an artificial record, and throws UserError if the netlist cannot search.
 auto search_on(const NetlistAsked& netlist, const ServiceSettings& settings) {
     IdentificationWay way = thesis_way();
     way.search.population = settings.diagnosis.search.population;
@@ -218,8 +218,8 @@ Action declare(Options& command, const std::string&) {
 
 namespace placedpar {
 
-/// This command serves until SIGINT or SIGTERM. It prints its addresses on standard output, and messages for the
-/// operator on standard error.
+/// This command runs the service that diagnoses working excavators, until SIGINT or SIGTERM. It prints its addresses on
+/// standard output, and messages for the operator on standard error.
 extern const Command monitor_command{
     .name = "monitor",
     .about = "Serves the on-line diagnosis to control systems over TCP",

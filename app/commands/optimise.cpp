@@ -89,7 +89,8 @@ Network network_with(const Study& study, const Overrides& settings) {
         study.netlist, settings, known_problems(0), [](const std::string&) {}, study.read);
 }
 
-/// Returns the unchanged netlist, or one of the study's machines if the unchanged netlist is not valid.
+/// Returns the network of the unchanged netlist. If that is not valid, returns the network of one of the machines among
+/// which the study searches.
 Network some_network(const Study& study, const MachineSpace& space) {
     try {
         return network_with(study, space.fixed());
@@ -98,8 +99,8 @@ Network some_network(const Study& study, const MachineSpace& space) {
     }
 }
 
-/// Returns the source of the study. Throws UserError if no process or device reports a measure that is asked for, or
-/// if an output file is a file of the netlist.
+/// Returns the files of the study. Throws UserError if no process or device reports a demanded measure, or if an output
+/// file is a file of the netlist.
 StudySource searchable_source(const OptimiseOptions& options, const Study& study, const MachineSpace& space) {
     Network network = some_network(study, space);
     require_possible(shown_measures(study), study, network);
@@ -130,8 +131,8 @@ struct Session {
     MachineTrials trials{study, space, results, options.jobs, interruption};
 };
 
-/// Returns the largest number of runs that the search can need, including runs that are already stored; the greatest
-/// integer if the number exceeds 64 bits.
+/// Returns the largest number of runs that the search can need, including runs that are already stored. If the number
+/// exceeds 64 bits, returns the greatest integer.
 std::uint64_t most_runs(const Session& session) {
     const StudySearch& wanted = *session.study.search;
     std::uint64_t bred = wanted.population - wanted.population / 2;
@@ -147,8 +148,8 @@ std::optional<double> seconds_of(const Study& study, Session& session) {
     return StudySweep(study, session.results).seconds_a_run(session.interruption);
 }
 
-/// Returns the time of a run of the unchanged netlist or, if it is not valid, of the first machine. Returns nullopt if
-/// interrupted.
+/// Returns how long this computer needs for a run of the unchanged netlist or, if that is not valid, of the first
+/// machine. Returns nullopt if interrupted.
 std::optional<double> seconds_of_a_run(Session& session) {
     std::optional<double> seconds = seconds_of(study_of(session.study, {session.space.fixed()}), session);
     std::optional<StudyOutcome> start = session.results.find({session.space.fixed(), session.study.first_seed});
@@ -180,7 +181,8 @@ bool go_all_ways(Session& session, MachineSearch& search, Optimum& optimum) {
            (!session.options.exhaustive || add(search.exhaustive()));
 }
 
-/// Makes all searches and returns their results; nullopt if a search was interrupted or not confirmed.
+/// Makes all searches and returns their results. Returns nullopt if a search was interrupted, or if the user did not
+/// confirm the number of runs.
 std::optional<Optimum> search_for(Session& session) {
     Optimum optimum;
     optimum.measures = session.study.search->minimise;
@@ -238,7 +240,7 @@ void print_optimum(Session& session, const Optimum& optimum, const StudySummary&
                                                               session.results.path().string()));
 }
 
-/// Reports an interruption; all results that were kept remain valid.
+/// Reports an interruption, if there was one. All runs made so far stay stored, so that the search can continue later.
 ExitCode end_of(const Session& session) {
     if (!session.interruption.requested())
         return ExitCode::success;

@@ -29,10 +29,10 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::uint64_t most_seeds = 1'000'000; ///< our choice: a number typed with too many digits must not fill the
-                                                ///< memory
+/// The greatest number of seeds. A number typed with too many digits must not fill the memory.
+constexpr std::uint64_t most_seeds = 1'000'000;
 
-/// The options of the command; an empty file name means that the file is not written.
+/// The options of the command. If the name of a file is "", the file is not written.
 struct ReplayOptions {
     std::string experiment, json, plots, resume;
     std::uint64_t seed = 1;
@@ -104,7 +104,7 @@ void require_outputs(const ReplayOptions& options) {
         require_folder_for_plots(options.plots);
 }
 
-/// Refuses `--against printed` if the experiment has only one set of figures.
+/// Throws UserError for `--against printed` if the experiment has no separate figures as the thesis prints them.
 void require_printed(const Experiment& experiment, const ReplayOptions& options) {
     std::vector<std::string_view> having;
     for (const Experiment& each : experiments())
@@ -128,7 +128,7 @@ void require_study(const Experiment& experiment, const ReplayOptions& options) {
     require_writable(options.resume);
 }
 
-/// Opens the file of --resume, which keeps the finished runs. Without this option, keeps them in memory.
+/// Opens the file of --resume, which stores the finished runs. Without this option, the runs are in memory only.
 StudyResults results_of(const ReplayOptions& options) {
     const std::string whose =
         fmt::format("replay {} --seed {}, {} {}", options.experiment, options.seed, version, commit);

@@ -39,7 +39,8 @@ std::filesystem::path kept_results_of(const std::string& study) {
                                                              : study;
 }
 
-/// Summarises the runs that the study asks for, or all runs of a file of results that was given instead of a study.
+/// Summarises the runs of the study. If the user gave a file of results instead of a study, summarises all runs in the
+/// file.
 StudySummary summary_of(StudyResults& results, const ReportOptions& options) {
     std::optional<Study> study;
     if (lower_case(options.study).ends_with(".toml"))

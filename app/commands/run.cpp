@@ -246,9 +246,9 @@ bool has_failed_program(const FinishedRun& run) {
     return std::ranges::any_of(run.report.programs, &ProgramUse::failed);
 }
 
-/// Returns the exit code of the first run that is not a success. An interruption between two runs changes the ending of
-/// neither run, so the number of runs is compared, too. `unread` is true if the runs were interrupted because the
-/// reader of a program's output has gone, which counts as a success.
+/// Returns the exit code of the first run that is not a success. If fewer runs were made than `asked`, an interruption
+/// came between two runs. `unread` is true if the runs were interrupted because the reader of a program's output has
+/// gone. Such an interruption counts as a success.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool unread) {
     const ExitCode interrupted = unread ? ExitCode::success : ExitCode::interrupted;
     for (const FinishedRun& run : runs)
@@ -259,8 +259,8 @@ ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool
     return runs.size() == asked ? ExitCode::success : interrupted;
 }
 
-/// Offers the host's link of a network to another program, if the option --offer is given. Returns false after an
-/// interruption.
+/// If the option --offer is given, waits until another program connects to the host's link of the network. That program
+/// then boots and serves the transputers. Returns false after an interruption.
 bool offer_link(Network& network, const RunOptions& options, const Interruption& interruption,
                 std::optional<iserver::OfferedBoard>& board) {
     if (options.offer.empty())
@@ -281,7 +281,8 @@ void write_recorded(const PageContent& run, const RunOptions& options, std::opti
         write_recorded(options.recorded, *options.native_trace, run);
 }
 
-/// Executes this rank's part of a native run. A rank above 0 writes nothing.
+/// Executes the part of a native run that belongs to this rank, one of the processes that mpirun started. A rank above
+/// 0 writes nothing.
 ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
     InterruptedBySignals interruption;
     const RunSettings settings{
@@ -290,8 +291,8 @@ ExitCode help_rank_zero(const Network& network, const RunOptions& options) {
     return ExitCode::success;
 }
 
-/// Checks the options, and loads the network and the checkpoint of an earlier run. Returns nothing in a rank of mpirun
-/// that must end silently.
+/// Checks the options, and loads the network and the checkpoint of an earlier run. Returns nullopt in a rank of mpirun
+/// that must end silently, because rank 0 reports an error.
 std::optional<Network> load(RunOptions& options, const Options& command) {
     std::optional<Network> network;
     const auto load_here = [&]() -> LoadedRun {

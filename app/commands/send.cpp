@@ -45,8 +45,8 @@ std::string print_end(const iserver::BoardRun& run) {
     return run.exit == 0 ? "exited with success" : fmt::format("exited with status {}", run.exit);
 }
 
-/// The host of a simulated run, which repeats the replies of a run on a board. If the program's request differs from
-/// the request on the board, the host does not reply.
+/// A host that repeats the replies of an earlier run on a board with real transputers. The simulation of the same
+/// program then gets the same replies. If a request differs from the request on the board, the host does not reply.
 class RepeatedHost {
 public:
     explicit RepeatedHost(std::span<const iserver::Exchange> exchanges) : exchanges_(exchanges) {}
@@ -74,8 +74,8 @@ struct SimulatedTimes {
     std::string departure = ""; ///< difference between the simulated run and the run on the board; "" if there is none
 };
 
-/// Simulates the program with the replies from the run on the board. The simulated run is stopped if it takes much
-/// longer than the run on the board. Returns nothing if the program cannot be read again, or did not end on the board.
+/// Simulates the program with the replies from the run on the board. Stops the simulated run if it takes much longer
+/// than the run on the board. Returns nullopt if the program cannot be read again, or did not end on the board.
 std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options& typed, const iserver::BoardRun& board,
                                        Interruption& interruption) {
     if (!looks_bootable(options.file) || board.state == iserver::ServerState::running ||

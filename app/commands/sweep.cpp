@@ -43,7 +43,7 @@ struct SweepOptions {
     bool yes = false, any_version = false;
 };
 
-/// Adds the axis, or replaces the axis of the same name.
+/// Adds an axis, that is, a setting with the values that the sweep gives it. Replaces an axis of the same name.
 void set_axis(StudyProduct& product, const StudyAxis& axis) {
     auto found = std::ranges::find(product.axes, axis.name, &StudyAxis::name);
     if (found == product.axes.end())
@@ -60,7 +60,8 @@ bool varies(const StudyTable& table, const std::string& name) {
            });
 }
 
-/// Applies the axis to the table. A table assigns its runs to cells, so each setting can have only one value.
+/// Applies the axis, a setting with its values, to the table. A table assigns its runs to cells, so the setting can
+/// have only one value.
 void set_in_table(StudyTable& table, const StudyAxis& axis) {
     if (axis.count() > 1)
         throw UserError(fmt::format("{} was given several values, but the study's table \"{}\" takes one value",
@@ -122,8 +123,8 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// Shows one line with the progress and the remaining time.
 class SweepProgress {
 public:
-    /// Shows the progress of the missing runs. `made` is the number of missing runs that were made before the sweep
-    /// began.
+    /// Shows the progress of the runs that are missing in the results. `made` is the number of these that have been
+    /// made already.
     SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {
@@ -156,12 +157,12 @@ void say_interrupted(const StudyResults& results) {
                             results.path().string()));
 }
 
-/// Returns the number of workers, which is at most the number of runs.
+/// Returns the number of threads that make runs, at most one for each run.
 std::size_t workers_for(const StudySweep::Missing& missing, const SweepOptions& options) {
     return std::min<std::uint64_t>(options.jobs, std::max<std::uint64_t>(missing.runs, 1));
 }
 
-/// Makes the missing runs. Returns false if the sweep was interrupted or not confirmed.
+/// Makes the missing runs. Returns false if the sweep was interrupted or the user did not confirm it.
 bool make_missing_runs(const Study& study, const SweepOptions& options, StudyResults& results,
                        Interruption& interruption, RankZero* others) {
     StudySweep sweep(study, results);
@@ -200,7 +201,7 @@ ExitCode print_tables(const Study& study, StudyResults& results) {
     return are_within_tolerance(tables) ? ExitCode::success : ExitCode::missed_tolerance;
 }
 
-/// Makes runs for rank 0 in another rank.
+/// Makes runs for rank 0 in another rank, one of the processes that mpirun started.
 ExitCode help(Ranks& ranks, const SweepOptions& options) {
     InterruptedBySignals interruption;
     RankHelper(ranks, options.jobs).help([&] { return study_of(options); }, interruption);

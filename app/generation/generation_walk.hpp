@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// The settings of a search small enough to follow by hand: strings of four bits (the vertices of the hypercube in
-/// Figure 6.2), roulette, one-point crossover, mutation.
+/// The settings of a genetic search that is small enough to follow by hand. It has strings of four bits (the vertices
+/// of the hypercube in Figure 6.2), roulette, one-point crossover and mutation.
 struct WalkSettings {
     std::size_t population = 6;
     double crossover_probability = 0.8;
@@ -28,7 +28,7 @@ inline constexpr std::size_t walk_bits = 4;
 /// is 1 for the string 1011 and 0 for all others (Figure 6.5).
 std::vector<std::string> walk_functions();
 
-/// The random numbers drawn for a pair of mates, and whether the pair was crossed.
+/// What crossover did to a pair of mates, with the random numbers drawn for it.
 struct Mating {
     double drawn; ///< random number; if it is below the crossover probability, the pair is crossed
     bool crossed;
@@ -48,7 +48,9 @@ struct WalkedGeneration {
     std::vector<Genome> crossed = {}, mutated = {};
 };
 
-/// Makes exactly the generations that Search makes with the same settings and stream, and records the random numbers.
+/// Makes the generations of such a search, and records every random number, so that a student can follow each step. The
+/// generations are exactly those that Search, the class of real searches, makes with the same settings and random
+/// stream.
 class GenerationWalk {
 public:
     /// Throws UserError as SearchSettings::validate() does, and for an unknown function.

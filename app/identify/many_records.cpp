@@ -39,7 +39,8 @@ struct LinkMovements {
     WayUnits units{};
 };
 
-/// Collects the movements of a record that count as evidence (is_evidence()).
+/// Collects the movements of an excavator in one record that determine the deviations of its links well enough
+/// (is_evidence()).
 class MovementsOfRecord {
 public:
     explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
@@ -81,8 +82,8 @@ private:
     PerLink<LinkMovements> links_;
 };
 
-/// Returns the standard deviation, from record to record, of the error that the equations cause in a compliance
-/// (identification/verdict/deviation.hpp).
+/// Returns the standard deviation of the error that inexact equations cause in a compliance. This error differs from
+/// record to record (identification/verdict/deviation.hpp).
 double repeat_error(double healthy_in3_per_psi) {
     return repeats_within * WayUnits::of(healthy_in3_per_psi).compliance_in3_per_psi;
 }

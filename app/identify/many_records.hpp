@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Evaluates all records as identify_as_service() does, prints how the compliance of each link changes, and adds the
-/// trend to `json`. Throws RefusedInput and UserError.
+/// Identifies the compliances of an excavator's links from many records, for example of many days. Prints how the
+/// compliance of each link changes over the records, and adds this trend to `json`. Throws RefusedInput and UserError.
 ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json);
 
 } // namespace placedpar

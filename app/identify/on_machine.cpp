@@ -30,7 +30,7 @@ constexpr std::size_t most_columns = 8; ///< largest number of searches in a tab
 
 double seconds(Time time) { return in_milliseconds(time) / 1000; }
 
-/// A sample, and the generation whose answers are the answers after this sample.
+/// A sample, and the last generation that the search made with this sample.
 struct SampleAnswers {
     double taken_s; ///< time of the sample in the record
     std::size_t generation;
@@ -57,7 +57,7 @@ std::string print_row(const SearchAnswers& answers, const SampleAnswers& row, st
     return line + "\n";
 }
 
-/// Prints how the answers for one compliance developed.
+/// Prints the answers for one compliance after each sample.
 std::string print_course(const SearchAnswers& answers, std::span<const SampleAnswers> rows, std::size_t parameter) {
     const std::vector<std::string>& names = answers.searches();
     std::string text = fmt::format("{} in in^3/psi after each sample:\n taken, s  ready, s",
@@ -74,7 +74,7 @@ std::string print_course(const SearchAnswers& answers, std::span<const SampleAns
                        : "");
 }
 
-/// Prints the last answer beside the native answer.
+/// Prints the last answer of the simulated transputers beside the answer of the search on this computer.
 std::string print_answer(const SearchAnswers& answers, const Identified& native, std::size_t parameter) {
     const std::size_t last = answers.generations() - 1, best = answers.fittest(last);
     const double here = native.estimates.back().compliance_in3_per_psi[parameter];

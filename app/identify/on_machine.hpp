@@ -15,19 +15,20 @@ struct ComplianceSearch; // identification/compliance_search.hpp
 struct Identified;       // identification/identification.hpp
 } // namespace identification
 
-/// Runs an identification as processes of a simulated machine. Prints the run, the answers of all searches after each
-/// sample, the fittest answer, how far the searches agree, and the seconds that the machine took. Adds all of these to
-/// `json`. A single search makes the same generations as identify(), so `missed_tolerance` is returned if its answer
-/// differs from the native answer. Several searches make other generations, so their answer is only printed beside the
-/// native answer.
+/// Identifies compliances by processes on simulated transputers. Prints the run, the answers of all searches after each
+/// sample, the fittest answer, how far the searches agree, and the simulated seconds that the transputers took. Adds
+/// all of these to `json`. `native` is the answer of identify(), which computes without simulated transputers. A single
+/// search must make the same generations as identify(). If its answer differs, returns `missed_tolerance`. Several
+/// searches make other generations; their answer is only printed beside the native answer.
 ExitCode run_on_machine(const ProcessSearch& search, const identification::Identified& native,
                         const identification::ComplianceSearch& prepared, std::uint64_t seed,
                         boost::json::object& json);
 
-/// Runs an identification as run_on_machine() does, without printing. The run takes samples as fast as it can, unless
-/// ga.sensors reads them. The time of the answer is computed for a machine that needs as much time for each sample as
-/// in the run. Such a machine cannot begin a sample before the sample is taken, nor before it has finished the
-/// preceding sample. Throws UserError if there is no answer, or if the period of ga.sensors differs from `period_s`.
+/// Runs an identification as run_on_machine() does, without printing. Also computes when the answer would be ready if
+/// the samples came from sensors, one every `period_s`. The run itself takes samples as fast as it can, except if a
+/// process of the kind ga.sensors sends them at their times. For the time of the answer, each sample takes as long as
+/// in the run. The work on a sample begins when the sample has been taken and the work on the preceding sample has
+/// ended. Throws UserError if the run gives no answer, or if the period of ga.sensors differs from `period_s`.
 identification::AnswerInTime answer_in_time(const ProcessSearch& search,
                                             const identification::ComplianceSearch& prepared, double period_s,
                                             std::uint64_t seed);

@@ -15,13 +15,14 @@
 
 namespace placedpar {
 
-/// Reads a record of any length piece by piece from a file, a pipe or standard input ("-"). At most two pieces of the
-/// text are in memory. Errors are reported as load_record() reports them. Only the first 20 warnings are shown. A
-/// warning that occurs again in a later piece is counted, and the counts are shown at the end.
+/// Reads an excavator's record piece by piece from a file, a pipe or standard input ("-"), so that it may be longer
+/// than the memory. At most two pieces of the text are in memory. Errors are reported as load_record() reports them.
+/// Only the first 20 warnings are shown. A warning that occurs again in a later piece is only counted; the counts are
+/// shown at the end.
 class RecordPieces final : public RecordStream {
 public:
-    /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty;
-    /// the record ends when `stop` returns true.
+    /// Throws RefusedInput if the file cannot be read. `stop` is called before every read and while a pipe is empty.
+    /// The record ends when `stop` returns true.
     RecordPieces(const std::filesystem::path& path, hydraulics::RecordNeeds needs, WarningSink warn,
                  std::function<bool()> stop = {});
     ~RecordPieces() override;
@@ -32,8 +33,8 @@ public:
     std::optional<hydraulics::Record> next() override;
 
     std::uint64_t bytes() const override { return bytes_; }
-    /// Returns the date of the record's time 0, in s since 1970; nothing if the file has no dates or no piece has been
-    /// read.
+    /// Returns the date of the record's time 0, in s since 1970. Returns nullopt if the file has no dates or no piece
+    /// has been read.
     std::optional<double> begun_s() const { return reader_.begun_s(); }
     bool stopped() const override { return stopped_; }
     /// Returns the warnings that were shown.

@@ -15,9 +15,10 @@
 
 namespace placedpar {
 
-/// The trend of a machine over many records (app/identify/many_records.hpp).
+/// The trend shows how an excavator's links change over many records, for example of many days.
 
-/// The values that are estimated for each link. Their units are in^3/psi, in^3/(s psi) and in.
+/// The values that are estimated for each link: its compliance in in^3/psi, its leak in in^3/(s psi), and the offset of
+/// its spool in in.
 enum class TrendValue : unsigned char { compliance, leak, offset };
 inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::compliance, TrendValue::leak,
                                                             TrendValue::offset};
@@ -25,10 +26,10 @@ inline constexpr std::array<TrendValue, 3> all_trend_values{TrendValue::complian
 std::string_view name_of(TrendValue value);
 std::string_view unit_of(TrendValue value);
 
-/// Half the length of a 95 % interval, in standard errors.
+/// Half the length of a 95 % confidence interval, in standard errors.
 inline constexpr double errors_of_interval = 1.96;
 
-/// The answers of one record; a value is missing if the record does not determine it.
+/// The values that one record gives. A value is missing if the record does not determine it.
 struct RecordAnswer {
     std::string record;           ///< path as typed
     std::optional<double> date_s; ///< seconds since 1970
@@ -46,7 +47,7 @@ struct RecordAnswer {
     }
 };
 
-/// A change of one value of a link.
+/// A change of one value of a link between two records.
 struct TrendChange {
     hydraulics::Link link;
     TrendValue value;
@@ -54,11 +55,12 @@ struct TrendChange {
     identification::SeriesChange change;
 };
 
-/// The probability that an unchanged link is reported as changed, if the standard errors are right. Each of the three
-/// values is tested with a third of this probability.
+/// The probability that an unchanged link is reported as changed, if the standard errors are right. The test of each of
+/// the three values may cause a third of it.
 inline constexpr double trend_false_alarms = 0.01;
 
-/// The answers in the order of their dates. If a record has no date, the answers are in the order of the command line.
+/// The answers of all records in the order of their dates, and the changes between them. If a record has no date, the
+/// answers are in the order of the command line.
 class Trend {
 public:
     explicit Trend(std::vector<RecordAnswer> answers);

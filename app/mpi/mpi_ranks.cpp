@@ -1,4 +1,5 @@
-// This module is loaded if mpirun has started the program (see ranks/ranks.hpp).
+// This module passes messages between ranks, the processes of a run that mpirun has started. The program loads it only
+// then (ranks/ranks.hpp).
 
 #include "ranks/expected_parcels.hpp"
 #include "ranks/rank_mail.hpp"
@@ -34,17 +35,16 @@ bool is_complete(MPI_Request& request) {
     return complete != 0;
 }
 
-/// Returns a length as an int, because MPI counts bytes in an int. Throws std::length_error if the length does not fit
-/// into an int.
+/// Returns a length as an int, as MPI demands. Throws std::length_error if the length does not fit into an int.
 int mpi_length(std::size_t bytes) {
     if (!std::in_range<int>(bytes))
         throw std::length_error("a message between ranks has more than 2147483647 bytes");
     return static_cast<int>(bytes);
 }
 
-/// Receives letters into memory that MPI knows in advance. Without such memory, MPI would buffer each letter first,
-/// which takes several times as long. MPI fills the places in the order of arrival, so only one place at a time is
-/// checked.
+/// Receives letters (messages between ranks) into places in memory that MPI knows in advance. Without such places, MPI
+/// would buffer each letter first, and each letter would take several times as long. MPI fills the places in the order
+/// of arrival, so only one place at a time is checked.
 class MpiMail final : public RankMail {
 public:
     explicit MpiMail(const mpi::communicator& world) : own_world_(world, mpi::comm_duplicate) {
@@ -178,7 +178,8 @@ private:
         return found ? std::optional(*found) : std::nullopt;
     }
 
-    /// `false`: an exception in one rank does not abort the other ranks; messages tell them about the exception.
+    /// With `false`, an exception in one rank does not abort the other ranks. Instead, the program tells the other
+    /// ranks by messages.
     mpi::environment environment_{mpi::threading::funneled, false};
     mpi::communicator world_;
 };

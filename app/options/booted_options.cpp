@@ -44,7 +44,7 @@ std::string not_memory_cycles(const std::string& text) {
     return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected 1 to 1000 cycles", text);
 }
 
-/// Returns the character that a letter after a backslash means; nothing if it has no meaning.
+/// Returns the character that a letter after a backslash means; nullopt if the letter has no such meaning.
 std::optional<char> escaped(char letter) {
     switch (letter) {
     case 'r': return '\r';

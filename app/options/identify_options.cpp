@@ -53,8 +53,7 @@ void declare_way(Options& command, IdentifyOptions& options) {
              "the first transient, as in chapter 3; whole: one search for several links over the whole movement, "
              "which divides each link's flow error by its scatter; default: service, or whole with --side outlet")
         .one_of({"service", "thesis", "whole"});
-    // With fewer bits than least_bits, the compliance of a sound machine would be only about one step of the code above
-    // the lower bound.
+    // With fewer bits than least_bits, a step of the code would be about as large as the compliance of a sound machine.
     add_number(command, "--bits", options.bits, IdentifySettings::least_bits, IdentifySettings::most_bits,
                "number of bits that code a compliance; default: 10, or 12 with --way whole");
     add_number(command, "--elite", options.elite, 0, a_million,

@@ -14,7 +14,7 @@ struct IdentifyOptions : IdentifySettings {
     std::string record;               ///< the record that is being read
     std::string trend, json;
     bool strict = false;
-    std::string netlist; ///< this member and the next two are used only with --way thesis
+    std::string netlist; ///< `netlist`, `set` and `read` are used only with --way thesis
     std::vector<std::string> set;
     ReadOptionsTyped read; ///< options for reading the netlist
 };

@@ -32,8 +32,8 @@ std::string print_count(std::uint64_t count) {
 
 namespace {
 
-constexpr int often_ms = 100; ///< interval of polling, which is needed because a signal just before a wait does not
-                              ///< interrupt the wait
+/// The interval of polling. A signal that comes just before a wait does not interrupt the wait.
+constexpr int often_ms = 100;
 
 /// Waits until there is an answer or the input ends. Returns false if interrupted.
 bool wait_for_answer(const Interruption& interruption) {

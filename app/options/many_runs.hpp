@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-// A user must confirm a very large number of runs.
+// Before a command makes a very large number of runs, the user must confirm it.
 
 constexpr std::uint64_t most_unasked = 10'000; ///< largest number of runs that begin without a question
 

@@ -11,7 +11,7 @@
 
 namespace placedpar {
 
-/// Declares --set NAME=VALUE, which may be repeated.
+/// Declares --set NAME=VALUE, which changes a value of the netlist and may be repeated.
 Option add_set(Options&, std::vector<std::string>& settings, const std::string& about);
 
 /// Parses the values of --set, or of another option of the form NAME=VALUE. Throws UserError if a value does not have
@@ -25,8 +25,8 @@ struct ReadOptionsTyped {
 };
 /// Declares -I FOLDER, --use PROGRAM=KIND and --fault FAULT, which may be repeated.
 std::vector<Option> add_read_options(Options&, ReadOptionsTyped&);
-/// Throws UserError if a folder does not exist, a --use does not have the form PROGRAM=KIND, or a program is given two
-/// kinds.
+/// Throws UserError if a folder does not exist, if a --use does not have the form PROGRAM=KIND, or if two --use name
+/// the same program.
 ReadOptions read_options_of(const ReadOptionsTyped&);
 
 /// The options of every command that reads a netlist.
@@ -40,7 +40,7 @@ struct NetlistOptions {
     WarningSink warn = print_warnings;
 };
 void add_netlist(Options&, NetlistOptions&);
-/// Declares --predict and --ranks; the command declares --threads.
+/// Declares --predict and --ranks. The command itself declares --threads.
 void add_predict(Options&, NetlistOptions&);
 
 /// A netlist with the settings of --set.
@@ -48,8 +48,8 @@ struct TypedNetlist {
     ParsedNetlist parsed;
     Overrides set;
 };
-/// Parses the netlist. With --predict, parses the netlist of its native run (explore/prediction/native_netlist.hpp), to
-/// which no settings apply. Throws as load_network() does.
+/// Parses the netlist. With --predict, returns instead the netlist that models the native run
+/// (explore/prediction/native_netlist.hpp), to which no settings apply. Throws as load_network() does.
 TypedNetlist parse_netlist(const NetlistOptions&, const WarningSink&);
 
 /// Reads the netlist. Throws RefusedInput.

@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Reads an operator's moves from a TOML file:
+/// Reads an excavator operator's moves of the joysticks, for the simulation of a digging machine, from a TOML file:
 ///
 ///     about = "a trench"
 ///     repeat = 3                                                          # how often the moves are made; 1 if not
@@ -19,8 +19,8 @@ namespace placedpar {
 ///     pitch = -4                                                          # deg/s
 ///     soil = 1500                                                         # lbf
 ///
-/// Throws RefusedInput, with lines, for a wrong key or value, for more than ten minutes, and for a move that leaves the
-/// arm's reach.
+/// Throws RefusedInput, with lines, for a wrong key or value, for moves of more than ten minutes in total, and for a
+/// move that leaves the arm's reach.
 hydraulics::DigJob load_dig_job(const std::string& path, const hydraulics::MovingExcavator&);
 
 } // namespace placedpar

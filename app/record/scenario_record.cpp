@@ -20,7 +20,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Throws UserError if a reading is beyond what any sensor reads, because the motion or the noise diverged.
+/// Throws UserError if a reading is greater than any sensor reads. Extreme parameters can cause such readings.
 void require_measurable(const Record& record, const RecordScenario& scenario) {
     auto reading = first_unmeasurable(record);
     if (!reading)
@@ -33,7 +33,7 @@ void require_measurable(const Record& record, const RecordScenario& scenario) {
         units_of(quantity_of(reading->sensor)).front().name, reading->time_s));
 }
 
-/// Simulates the record. Extreme parameters can make the pressures diverge within a step, before there is a reading.
+/// Simulates the record. Throws UserError if extreme parameters make the pressures diverge before the first reading.
 Record simulated(const RecordScenario& scenario, const LinksInMotion& moving, const Parameters& parameters,
                  RandomStream noise) {
     try {

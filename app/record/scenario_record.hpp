@@ -12,7 +12,8 @@
 
 namespace placedpar {
 
-/// Returns the scenario with this name. If there is none, throws a UserError that lists all scenarios.
+/// Returns the scenario with this name: a motion of a simulated excavator that can be recorded. If no scenario has the
+/// name, throws a UserError that lists all scenarios.
 const hydraulics::RecordScenario& scenario_called(std::string_view name);
 
 std::vector<std::string> names_of_scenarios();
@@ -31,9 +32,10 @@ std::string list_parameters(const hydraulics::RecordScenario& scenario, const hy
 /// Returns one line per scenario.
 std::string list_record_scenarios();
 
-/// Returns the record. Its description contains the true compliance and the command that makes the same record again,
-/// with every parameter that differs from the program's default. Throws UserError if unrealistic parameters give values
-/// that no sensor could read; the message states the first such value, its sensor and its time.
+/// Simulates the scenario and returns the record of its sensors. The record's description contains the true compliance
+/// and the command that makes the same record again, with every parameter that differs from the program's default. If
+/// unrealistic parameters give values that no sensor could read, throws UserError with the first such value, its sensor
+/// and its time.
 hydraulics::Record scenario_record(const hydraulics::RecordScenario& scenario, const hydraulics::LinksInMotion& moving,
                                    const hydraulics::Parameters& parameters, std::uint64_t seed);
 

@@ -13,23 +13,25 @@
 
 namespace placedpar::hydraulics {
 
-/// Selects whether the flow into the cylinder enters the error as its absolute value, as in equation 3.8, or signed, as
-/// in equation 3.11. With the absolute value, the error has a second minimum in a window of falling pressure, at C + 2
-/// Q_i / |dP/dt|.
+/// Selects whether the error contains the absolute value of the flow Q_i into the cylinder, as in equation 3.8, or the
+/// signed flow, as in equation 3.11. While the pressure P falls, the error with the absolute value has a second, false
+/// minimum. The false minimum is at C + 2 Q_i / |dP/dt|, where C is the true compliance.
 enum class InletFlow : unsigned char { absolute, as_signed };
 
-/// Returns the form that the thesis prints: absolute for one link (3.8), signed for several links (3.11).
+/// Returns the form that the thesis prints for this number of links: absolute for one link (3.8), signed for several
+/// links (3.11).
 inline InletFlow printed_inlet_flow(std::size_t links) {
     return links == 1 ? InletFlow::absolute : InletFlow::as_signed;
 }
 
-/// The terms of the equations below that depend only on a LinkSample. They are computed once for all trial compliances.
+/// The terms of the equations below that depend only on a LinkSample. A search computes them once and uses them for all
+/// trial compliances.
 struct LinkTerms {
     double inlet_psi;
     double inlet_slope_psi_per_s;
     double piston_flow_in3_per_s;
-    double inlet_resistance;   ///< root psi per in^3/s
-    double bypass_conductance; ///< in^3/s per root psi
+    double inlet_resistance;   ///< sqrt(psi) per in^3/s
+    double bypass_conductance; ///< in^3/s per sqrt(psi)
 };
 
 inline LinkTerms terms_of(const LinkSample& sample, const FlowConstants& flow) {
@@ -52,8 +54,8 @@ inline CircuitTerms terms_of(std::span<const LinkSample> samples, const FlowCons
 template <typename T>
 using PerJunction = std::array<T, all_links.size()>;
 
-/// These two functions return the flow into the cylinder (3.5) and the pressure that this flow causes at the junction
-/// (3.6).
+/// These two functions return the flow into the cylinder (3.5), and the pressure at the junction that drives this flow
+/// through the inlet (3.6).
 template <typename T>
 T inlet_flow(const LinkTerms& link, const T& compliance_in3_per_psi) {
     return cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, compliance_in3_per_psi);
@@ -63,8 +65,7 @@ T junction_psi(const LinkTerms& link, const T& inlet) {
     return resisted_drop(link.inlet_resistance, inlet) + link.inlet_psi;
 }
 
-/// Returns the flow from the junction's pumps minus the flow into the cylinder. `form` states whether the flow into the
-/// cylinder is absolute or signed.
+/// Returns the flow from the junction's pumps minus the flow into the cylinder.
 template <typename T>
 T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow, InletFlow form) {
     using std::abs;
@@ -72,14 +73,14 @@ T flow_left(const Junction& junction, const T& inlet, const FlowConstants& flow,
     return junction.pumps * flow.pump_in3_per_s - taken;
 }
 
-/// Returns the imbalance of flow at each junction of a circuit, in in^3/s. The imbalance is the inflow minus the flow
-/// into the cylinder and the flow through the bypass. Pressures at the junctions are not measured but estimated from
-/// the flows into the cylinders (3.6). If the estimated pressure at the next junction is higher, nothing flows through
-/// the bypass.
+/// Returns the imbalance of flow at each junction of a circuit, in in^3/s. With the true compliances and perfect
+/// readings every imbalance is 0. The imbalance is the inflow minus the flow into the cylinder and the flow through the
+/// bypass. No sensor measures the pressures at the junctions; equation 3.6 gives them from the flows into the
+/// cylinders. If the pressure at the next junction is higher, nothing flows through the bypass.
 ///
-/// T is double, or a class that holds several doubles (orifice.hpp). `compliance_in3_per_psi` and `terms` have one
-/// entry for each junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and inlet_in2 > 0 in each
-/// sample from which the terms were computed.
+/// T is double, or a class that holds several doubles and computes with all of them at once. `compliance_in3_per_psi`
+/// and `terms` have one entry for each junction, in the circuit's order. REQUIRES: there are at most 4 junctions, and
+/// inlet_in2 > 0 in each sample from which the terms were computed.
 template <typename T>
 PerJunction<T> missing_flows_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi,
                                        const CircuitTerms& terms, const FlowConstants& flow, InletFlow form) {
@@ -117,9 +118,9 @@ T missing_flow_in3_per_s(const Junction& junction, const T& compliance_in3_per_p
     return left - bypass_flow(link.bypass_conductance, T(junction_psi(link, inlet) - flow.tank_psi));
 }
 
-/// Returns the sum of the absolute values of the missing flows. With one junction this is the error of equations 3.5 to
-/// 3.8, with two in series the error of 3.10 and 3.11; other circuits extend these equations. REQUIRES: the same as
-/// missing_flows_in3_per_s().
+/// Returns the error that a search for compliances minimises: the sum of the absolute values of the imbalances at all
+/// junctions. One junction has the error of equations 3.5 to 3.8. Two junctions in series have the error of 3.10 and
+/// 3.11. For other circuits, this project extends these equations. REQUIRES: the same as missing_flows_in3_per_s().
 template <typename T>
 T circuit_error_in3_per_s(const Circuit& circuit, std::span<const T> compliance_in3_per_psi, const CircuitTerms& terms,
                           const FlowConstants& flow, InletFlow form) {

@@ -7,7 +7,7 @@
 
 namespace placedpar::hydraulics {
 
-/// An entry of a table of steady flow: the spool position that gives this flow at this pressure.
+/// An entry of a table of steady flow: at this spool position and this pressure, this flow enters the cylinder.
 struct SteadyFlowPoint {
     double inlet_in3_per_s;
     double inlet_psi;
@@ -25,9 +25,11 @@ struct FlowConstantsFit {
     double rms_in;
 };
 
-/// Fits k, Q and P_e to the spool positions by least squares, with the method of Levenberg and Marquardt from `start`;
-/// the relief pressure is unchanged. Throws std::invalid_argument for fewer than 4 points, std::runtime_error if the
-/// method does not converge, and the std::domain_error of boom_spool_for_flow().
+/// Fits three constants to the spool positions: k of the orifices, the pump's flow Q, and the tank's pressure P_e. Uses
+/// least squares with the method of Levenberg and Marquardt, which begins at `start`. The relief pressure stays as in
+/// `start`. Throws std::invalid_argument for fewer than 4 points, and std::runtime_error if the method does not
+/// converge. Throws the std::domain_error of boom_spool_for_flow() (steady_flow.hpp) if no spool position gives a flow
+/// of the table.
 FlowConstantsFit fit_flow_constants(std::span<const SteadyFlowPoint> table, const FlowConstants& start);
 
 /// Returns the residuals for the given constants, in the form of FlowConstantsFit::residuals_in.

@@ -8,9 +8,10 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the pressure at which two outlets together take the flow Q; infinite if both are shut. If u^2 is the
-/// pressure drop over `high`, D the difference between the outlets' pressures, and a and b their conductances, then Q =
-/// a u + b sqrt(u^2 + D). The positive root of this quadratic equation is written without cancellation.
+/// Returns the pressure at which two outlets together take the flow Q; infinite if both are shut. The equation is Q = a
+/// u + b sqrt(u^2 + D). u^2 is the pressure drop over `high`, D the difference between the outlets' pressures, and a
+/// and b are the conductances. The formula for its positive root subtracts no nearly equal numbers, so that no digits
+/// are lost.
 double common_psi(const Outlet& high, const Outlet& low, double flow) {
     double a = high.conductance, b = low.conductance, difference_psi = high.psi - low.psi;
     double rest = flow * flow - b * b * difference_psi;

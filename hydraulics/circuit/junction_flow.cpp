@@ -93,7 +93,7 @@ private:
             balance(junction, outlets, most);
     }
 
-    /// Sets the result of a junction that no flow reaches; junction_flow.hpp states its pressure.
+    /// Sets the result of a junction that no flow reaches. junction_flow.hpp states which pressure it has.
     void leave_unreached(std::size_t junction, const Outlets& outlets) const {
         double before = -infinity;
         for (std::size_t i = 0; i < junction; ++i)
@@ -115,8 +115,9 @@ private:
         flows_[junction] = {psi, in, by, relieving ? rest : 0};
     }
 
-    /// Solves for u, where pressure = `lowest` + u^2, because the outflows are smooth functions of u at u = 0. At the
-    /// greatest u, either the lowest outlet alone takes the whole inflow, or the relief pressure is reached.
+    /// Solves for u, where the pressure is `lowest` + u^2, because the outflows are smooth functions of u at u = 0. At
+    /// the greatest u, either the outlet with the lowest pressure takes the whole inflow alone, or the pressure is the
+    /// relief pressure.
     double balanced_psi(std::size_t junction, const Outlets& outlets, double most) const {
         double lowest = outlets.lowest_psi(), highest = constants_.relief_psi;
         if (lowest >= highest)
@@ -134,10 +135,10 @@ private:
         return psi_at(below + (above - below) / 2);
     }
 
-    /// Adds the flow left over by rounding to one outlet: the one with the greater conductance^2 / flow, since its
-    /// pressure drop, flow^2 / conductance^2, changes less. An outlet without flow receives none of the rest. If
-    /// neither outlet has flow, the rest is too small to affect the pressure and goes to the outlet with the lowest
-    /// pressure.
+    /// Adds the flow that rounding has left over to one outlet, so that flow is conserved. The outlet with the greater
+    /// conductance^2 / flow gets this rest, since its pressure drop, flow^2 / conductance^2, changes less. An outlet
+    /// without flow gets nothing. If neither outlet has flow, the outlet with the lowest pressure gets the rest, which
+    /// is too small to affect the pressure.
     static void give_rest(const Outlets& outlets, double rest, double& in, double& by) {
         double a = outlets.inlet.conductance, b = outlets.bypass.conductance;
         bool to_inlet = a * a * by >= b * b * in;

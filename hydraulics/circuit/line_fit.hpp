@@ -6,13 +6,14 @@
 
 namespace placedpar::hydraulics {
 
-/// The thesis limits the piecewise least-squares line to 5 samples (3.1.2).
+/// The number of samples to which a line is fitted; the thesis uses 5 (3.1.2).
 inline constexpr std::size_t line_fit_points = 5;
 
-/// Fits least-squares lines to 5 equally spaced samples. The slope belongs to the middle sample, 2 periods before the
-/// newest. (If the slope were combined with the newest sample instead, the compliance would be biased by +17 %.) The
-/// slope is exact for quadratics. White noise of standard deviation sigma gives the slope a standard deviation of sigma
-/// / (sqrt(10) period), which is 15.811 sigma per second at a period of 20 ms.
+/// Fits a least-squares line to 5 equally spaced samples, to get the rate of change of a noisy pressure or angle. The
+/// slope belongs to the middle sample, 2 periods before the newest. Used with the newest sample instead, the slope
+/// would make identified compliances 17 % too large. The slope is exact for quadratics. White noise of standard
+/// deviation sigma gives the slope a standard deviation of sigma / (sqrt(10) period). At a period of 20 ms, this is
+/// 15.811 sigma per second.
 class CentredLineFit {
 public:
     /// Throws std::invalid_argument unless period_s > 0.

@@ -7,18 +7,18 @@
 
 namespace placedpar::hydraulics {
 
-/// The values of one link at one instant from which identification computes the error. On the outlet side
-/// (drain_circuit()), the pressure is P_o, the piston's flow is -A_o times the velocity, and bypass_in2 is a_o. There
-/// inlet_in2 is infinite, since the pressure is read at the junction. The imbalance of flow is then the error of
-/// equation 3.4.
+/// The values of one link at one instant, from which identification computes the error of a trial compliance. For the
+/// outlet side of a cylinder the members have other meanings. The pressure is P_o, the piston's flow is -A_o times the
+/// velocity, and bypass_in2 is the outlet's area a_o. inlet_in2 is infinite, since the sensor reads the pressure at the
+/// junction itself. The imbalance of flow is then the error of equation 3.4.
 struct LinkSample {
-    double inlet_psi;             ///< P_i, the raw reading
-    double inlet_slope_psi_per_s; ///< slope of the 5-point line
-    double piston_flow_in3_per_s; ///< A_i times the piston velocity, from the 5-point line
+    double inlet_psi;             ///< P_i, without smoothing
+    double inlet_slope_psi_per_s; ///< slope of the line fitted to 5 readings
+    double piston_flow_in3_per_s; ///< A_i times the piston's velocity, the slope of the line fitted to 5 readings
     double inlet_in2;             ///< a_i
     double bypass_in2;            ///< a_e
 
-    /// The number of values. A list of the values has them in the order of the members above.
+    /// The number of values. A list of values has the order of the members above.
     static constexpr std::size_t channels = 5;
     /// REQUIRES: values.size() >= channels.
     static LinkSample from(std::span<const double> values) {
@@ -28,10 +28,12 @@ struct LinkSample {
     friend bool operator==(const LinkSample&, const LinkSample&) = default;
 };
 
-/// These equations give the flows and pressures that a trial compliance implies, one link at a time. Any consistent
-/// system of units may be used. T is as in orifice.hpp, and `conductance` is k a of the inlet or the bypass.
+/// These functions give the flows and pressures that follow from a trial compliance of one link. They hold in any
+/// consistent system of units. T is double, or a class of several doubles. `conductance` is the flow through an orifice
+/// divided by the root of the pressure drop.
 
-/// Returns the flow into the cylinder (3.5, B.2), which moves the piston and expands the pump side.
+/// Returns the flow into the cylinder (3.5, B.2). This flow moves the piston and expands the hose and oil of the pump
+/// side.
 template <typename T>
 T cylinder_flow(double piston_flow, double pressure_slope, const T& compliance) {
     return piston_flow + pressure_slope * compliance;

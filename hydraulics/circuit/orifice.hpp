@@ -5,9 +5,10 @@
 
 namespace placedpar::hydraulics {
 
-/// These functions are the orifice equation, flow = k a sqrt(pressure drop), and its inverse. `conductance` is k a, a
-/// flow per root of pressure. Any consistent system of units may be used. T is double, or any class with the arithmetic
-/// of double and with max, abs and sqrt, such as a class of several doubles.
+/// These functions are the orifice equation, flow = k a sqrt(pressure drop), and its inverse. `conductance` is k a,
+/// with k the orifices' constant and a the area. The functions hold in any consistent system of units. T is double, or
+/// a class with the arithmetic of double and with max, abs and sqrt. Such a class may hold several doubles, to compute
+/// several flows at once.
 
 /// Returns max(x, 0); NaN stays NaN.
 template <typename T>

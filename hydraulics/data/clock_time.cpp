@@ -38,7 +38,7 @@ int number_of(std::string_view text, std::size_t first, std::size_t count) {
     return number;
 }
 
-/// Returns the nanoseconds from 1970 to the beginning of the day, or nullopt if there is no such day.
+/// Returns the nanoseconds from 1970 to the beginning of the day, or nullopt if the calendar has no such day.
 std::optional<std::int64_t> day_ns(std::string_view text) {
     using namespace std::chrono;
     const int in_year = number_of(text, 0, 4);

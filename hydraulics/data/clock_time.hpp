@@ -7,15 +7,16 @@
 
 namespace placedpar::hydraulics {
 
-/// A date and time of ISO 8601.
+/// A date and time of ISO 8601, as loggers write it beside each reading.
 struct ClockTime {
-    std::int64_t since_1970_ns; ///< in UTC if the text states its zone, otherwise in the unknown zone of the logger
+    std::int64_t since_1970_ns; ///< nanoseconds since 1970: in UTC if the text states its zone, otherwise in the
+                                ///< unknown zone of the logger
     bool has_zone;
 };
 
-/// Reads a text such as "2024-03-05T14:30:00.020Z", "2024-03-05 14:30:00,020" or "20240305T143000.02+0100": a date from
-/// 1900 to 2100, a "T" or a blank, and a time. Seconds and their fraction may be missing, and digits after nanoseconds
-/// are ignored. Returns nullopt for any other text.
+/// Reads a text such as "2024-03-05T14:30:00.020Z", "2024-03-05 14:30:00,020" or "20240305T143000.02+0100". The text is
+/// a date from 1900 to 2100, a "T" or a blank, and a time. Seconds or their fraction may be missing. Digits beyond
+/// nanoseconds are ignored. Returns nullopt for any other text.
 std::optional<ClockTime> clock_time(std::string_view text);
 
 /// Finds the first date in the name of a file, such as "boom-2024-03-05.csv", "20240305_1430.csv" or

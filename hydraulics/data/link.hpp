@@ -9,7 +9,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The four links of the excavator; each has one compliance on its pump side.
+/// The four links of the excavator. Each has a compliance on its pump side: the volume of oil that its hose and oil
+/// take up per psi of pressure. Identification searches for these compliances.
 enum class Link : unsigned char { bucket, boom, stick, swing };
 
 inline constexpr std::array<Link, 4> all_links{Link::bucket, Link::boom, Link::stick, Link::swing};
@@ -22,7 +23,7 @@ using PerLink = std::array<T, all_links.size()>;
 
 /// Returns "bucket" and so on.
 std::string_view name_of(Link);
-/// Returns the thesis's "BU", "BO", "ST", "SW", as in C_BUi.
+/// Returns the thesis's symbol "BU", "BO", "ST" or "SW", as in C_BUi, the compliance of the bucket's inlet side.
 std::string_view symbol_of(Link);
 /// Returns the link with this name or symbol, or nullopt.
 std::optional<Link> link_named(std::string_view);

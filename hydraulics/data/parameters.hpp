@@ -12,13 +12,14 @@ struct TextRow;    // text/table.hpp
 
 namespace placedpar::hydraulics {
 
-/// A constant of the machine.
+/// A constant of the excavator that is simulated or measured.
 struct Parameter {
     std::string name;   ///< "boom.inlet_area"
     double value;       ///< in the unit `unit`
-    std::string unit;   ///< unit of units.hpp for the quantity
-    std::string mark;   ///< "thesis", "fitted" or "ours"; in a user's file also "measured"
-    std::string source; ///< origin of the value
+    std::string unit;   ///< the unit that units.hpp gives for the quantity
+    std::string mark;   ///< origin in one word: "thesis", "fitted" or "ours" (chosen by this project); in a user's file
+                        ///< also "measured"
+    std::string source; ///< origin in a sentence, such as a table or a data sheet
 };
 
 /// Reports a name that no parameter has.
@@ -46,9 +47,9 @@ public:
     /// Replaces the parameter of the same name. Throws UnknownParameter if there is none.
     void put(Parameter parameter);
 
-    /// Reads a text whose rows replace the parameters of the same name, converting any unit of the quantity. Adds a
-    /// fault for an unknown name, for a unit of another quantity, for a value that is not a number or is outside the
-    /// parameter's range (parameter_range.hpp), and for an unknown mark.
+    /// Reads a text whose rows replace the parameters of the same name. A row may have any unit of its quantity; its
+    /// value is converted. Adds a fault for an unknown name, for a unit of another quantity, and for an unknown mark.
+    /// Also adds a fault for a value that is not a number or is outside the parameter's range (parameter_range.hpp).
     void read(std::string_view text, std::vector<Diagnostic>& faults);
 
 private:

@@ -20,7 +20,7 @@ enum class Sensor : unsigned char {
     angle,           ///< deg, of the joint
     spool,           ///< in
     servo,           ///< V, at the servo-valve
-    inlet_area,      ///< in^2: a_i, for links whose areas do not follow the boom's functions A.3 to A.9
+    inlet_area,      ///< in^2: a_i, for links whose areas cannot be computed from the spool's position
     bypass_area      ///< in^2: a_e
 };
 
@@ -53,16 +53,17 @@ struct Stretch {
     std::size_t first, last;
 };
 
-/// Measurements of an excavator's motion. All channels are read at the same instants, which are a fixed period apart
-/// except at gaps.
+/// Measurements of an excavator's motion, from which compliances are identified. A channel is one sensor of one link.
+/// All channels are read at the same instants, which are a fixed period apart except at gaps.
 class Record {
 public:
     std::string description;
     double period_s = 0;
-    /// Times in rising order. INVARIANT: the times of neighbours differ by a whole number of periods, within
+    /// The instants in rising order. INVARIANT: two successive instants are a whole number of periods apart, within
     /// sampling_tolerance.
     std::vector<double> time_s;
-    /// The true configuration of the main valve, a to e, at each instant, or '-'; empty if unknown.
+    /// The true configuration of the main valve at each instant: 'a' to 'e', or '-' if unknown. Empty if the record has
+    /// no configurations.
     std::string configuration;
 
     std::size_t size() const { return time_s.size(); }
@@ -86,14 +87,14 @@ private:
     std::array<std::array<std::vector<double>, all_sensors.size()>, all_links.size()> channels_;
 };
 
-/// Reports a record that lacks data for an identification. what() states what is missing; it does not name the record.
+/// Reports a record that lacks data for an identification. what() states what is missing, but does not name the record.
 class UnfitRecord : public UserError {
 public:
     using UserError::UserError;
 };
 
-/// A limit above all measured values, in any unit of units.hpp. Slopes and squares of values below this limit are
-/// finite.
+/// A limit above all possible measurements, in any unit of units.hpp. Below this limit, slopes and squares of readings
+/// stay finite.
 inline constexpr double largest_reading = 1e12;
 
 struct SensorReading {
@@ -102,8 +103,8 @@ struct SensorReading {
     double time_s, value;
 };
 
-/// Returns the earliest reading that is not finite or is beyond largest_reading. Among several such readings at one
-/// instant, returns the reading of the first channel.
+/// Returns the earliest reading that is not finite or is beyond largest_reading. If several readings at this instant
+/// are such, returns the reading of the first channel.
 std::optional<SensorReading> first_unmeasurable(const Record& record);
 
 /// The largest distance of a sample from its regular instant, as a share of the period.

@@ -12,7 +12,7 @@
 
 namespace placedpar::hydraulics {
 
-/// read_record() makes these checks, one for each common fault of loggers.
+/// These functions check a record's file for common faults of loggers. read_record() calls them.
 
 /// The position of a channel's name in the text.
 struct HeaderPlace {
@@ -25,32 +25,33 @@ struct TimeColumn {
     const Unit& unit; ///< unit in the text
 };
 
-/// The last row of the previous piece of text.
+/// The last row of the previous piece of text, if a file is read in pieces.
 struct RowBefore {
     TextRow row;
     double time_s;
 };
 
-/// Removes rows that are identical to the row before; loggers write such rows when they restart.
+/// Removes rows that are identical to the row before. Loggers write such rows when they restart.
 void drop_repeated_rows(TextTable& table, const std::optional<RowBefore>& before, std::vector<Diagnostic>& faults);
 
-/// If record.period_s is 0, sets it to the median step of record.time_s. Checks that the times rise by whole numbers of
-/// periods. Times that jitter around whole periods are resampled. Warns of jitter, of gaps, and of a period that is
-/// unusual but would be usual in another unit. REQUIRES: the table's rows are the record's samples; there are at least
-/// two if record.period_s is 0.
+/// Checks that the times rise by whole numbers of periods. If record.period_s is 0, first sets it to the median step of
+/// record.time_s. If the times jitter around whole periods, resamples the readings. Warns of jitter, of gaps, and of a
+/// period that looks like a time in another unit. REQUIRES: the table's rows are the record's samples; there are at
+/// least two if record.period_s is 0.
 void check_times(Record& record, const TextTable& table, const TimeColumn& time, const std::optional<RowBefore>& before,
                  std::vector<Diagnostic>& faults);
 
-/// Warns of a channel that never changes, and of a channel whose greatest value is unusual but would be usual in
-/// another unit. Values are in the unit of units.hpp; `unit` is the unit in the text. REQUIRES: least <= greatest.
+/// Warns of a channel that never changes. Also warns of a channel whose greatest value is unusual but would be usual in
+/// another unit. `least` and `greatest` are in the unit of units.hpp; `unit` is the unit in the text. REQUIRES: least
+/// <= greatest.
 void check_channel(std::string_view name, Sensor sensor, const Unit& unit, double least, double greatest,
                    HeaderPlace place, std::vector<Diagnostic>& faults);
 
 /// Warns of pressures below vacuum, at the first sample with such a pressure. `index` is the index of the channel's
-/// cells. REQUIRES: the table's rows are the samples.
+/// cell in a row. REQUIRES: the table's rows are the samples.
 void check_pressure(std::string_view name, const Unit& unit, std::span<const double> psi, const TextTable& table,
                     std::size_t index, std::vector<Diagnostic>& faults);
-/// Warns of readings that freeze and then jump by at least `least_jump`. `period_s` is the time between readings.
+/// Warns of readings that stay equal for a while and then jump by at least `least_jump`, as a faulty sensor's do.
 /// REQUIRES: the table's rows are the samples.
 void check_frozen(std::string_view name, const Unit& unit, std::span<const double> readings, double least_jump,
                   double period_s, const TextTable& table, std::size_t index, std::vector<Diagnostic>& faults);

@@ -45,7 +45,7 @@ std::optional<RecordChannel> channel_named(const std::string& name) {
     return link && sensor ? std::optional(RecordChannel{*link, sensor}) : std::nullopt;
 }
 
-/// Returns the channel that a user names; "pressure" is the pressure at the boom's inlet.
+/// Returns the channel that a user names. A name such as "pressure" is short for the boom's inlet pressure.
 std::optional<RecordChannel> channel_typed(std::string name) {
     if (const auto known = channel_named(name))
         return known;
@@ -104,7 +104,7 @@ struct HeaderFound {
     }
 };
 
-/// Finds the first line with the columns of a record; else the first line that is not a comment.
+/// Finds the first line with the columns of a record. If no line has them, finds the first line that is not a comment.
 HeaderFound find_header(std::string_view text, const std::vector<ColumnName>& names) {
     HeaderFound best{.at = text.size()};
     std::string separators = ",;\t";
@@ -163,8 +163,8 @@ ColumnName column_name(std::string_view text) {
     return {in_file, *channel, unit};
 }
 
-/// Finds the header and sets the separator. Returns the text with the lines above the header as comments, since a
-/// logger's own lines describe the record.
+/// Finds the header and sets the separator. Returns the text with the lines above the header turned into comments: the
+/// lines that a logger writes there describe the record.
 std::string RecordReader::find_table(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
@@ -195,7 +195,7 @@ void RecordReader::take_units_row() {
     table_.rows.erase(table_.rows.begin(), first_sample);
 }
 
-/// Returns whether a column holds dates with times: its first cell with a value decides.
+/// Returns whether a column holds dates with times. The column's first cell with a value decides.
 bool RecordReader::has_dates(std::size_t index) const {
     const auto row =
         std::ranges::find_if(table_.rows, [index](const TextRow& each) { return !is_missing(each.cells[index]); });

@@ -28,7 +28,7 @@ int time_decimals(const Record& record) {
     return decimals;
 }
 
-/// Prints "0.000" instead of "-0.000", since the sign of such a number could depend on its last bit.
+/// Prints a number, but "0.000" instead of "-0.000". The sign of such a number may differ between computers.
 std::string print_number(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     bool zero = text.find_first_not_of("-0.") == std::string::npos;
@@ -83,8 +83,9 @@ void RecordReader::skip_missing() {
     skipped_ += std::erase_if(table_.rows, lacks);
 }
 
-/// Finds out whether numbers have decimal commas or decimal points. The first number with a comma or a point decides,
-/// by its last comma or point. Commas are ambiguous if each of them is followed by three digits.
+/// Finds out whether numbers have decimal commas or decimal points. In the first number with a comma or a point, the
+/// last such sign is the decimal sign. The number decides nothing if three digits follow each of its commas: they may
+/// separate thousands.
 void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
     const TextCell* unclear = nullptr;
     std::size_t line = 0;
@@ -192,7 +193,7 @@ void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
     period_s_ = record.period_s;
 }
 
-/// Removes the header's warnings that were given with an earlier piece.
+/// Removes the warnings about the header that were given with an earlier piece of the file.
 void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     std::set<std::size_t> now = told_;
     std::erase_if(faults, [&](const Diagnostic& fault) {

@@ -22,7 +22,7 @@ struct ReadRecord {
     std::vector<Diagnostic> faults;
 };
 
-/// A quantity that a record has at each instant.
+/// What a column of a record's file holds: the time, or the readings of one sensor of one link.
 struct RecordChannel {
     Link link{};
     std::optional<Sensor> sensor = std::nullopt; ///< nullopt: the time
@@ -38,54 +38,58 @@ struct ColumnName {
     std::string unit; ///< replaces the unit in the file; "": the unit in the file
 };
 
-/// Reads "boom.inlet_pressure=P_boom_in", "angle [deg]=Phi 1" (a sensor without a link is the boom's) or
-/// "time=Timestamp". The unit may be left out if the file has it. Throws UserError.
+/// Reads a text of the user, such as "boom.inlet_pressure=P_boom_in", "angle [deg]=Phi 1" or "time=Timestamp". A sensor
+/// without a link is the boom's. The unit may be left out if the file has it. Throws UserError.
 ColumnName column_name(std::string_view text);
 
 /// States which channels a record must have.
 struct RecordNeeds {
-    /// Given the channels that a header names, returns the channels that must have a value in every row. If this
-    /// function is empty, every channel must have a value in every row.
+    /// Given the channels that a header names, returns the channels that must have a value in every row. Without this
+    /// function, every channel must have a value in every row.
     std::function<ChannelSet(const ChannelSet&)> of = {};
     /// true: rows that lack a required value are left out; false: the record is refused.
     bool skip_missing = false;
     std::vector<ColumnName> names = {};
 };
 
-/// Reads a record from values separated by commas, semicolons or tabs. The separator is the one that a line "sep=;"
-/// states, or else the one that divides the header into the most columns. Numbers may have decimal commas. The header
-/// is the first line that names the time and a sensor; the lines above the header are the description. The header names
-/// each column and its unit, in any order; a row of units may follow:
+/// Reads a record from a text of rows, whose values commas, semicolons or tabs separate. A line "sep=;" states the
+/// separator. Without such a line, the separator is the sign that divides the header into the most columns. Numbers may
+/// have decimal commas. The header is the first line that names the time and a sensor. The lines above it are the
+/// description. The header names each column and its unit, in any order; instead, the units may be in a row below the
+/// header:
 ///
 ///     # boom raised at 4 deg/s, seed 1              any number of lines of description
 ///     time [s],boom.inlet_pressure [psi],boom.angle [deg],boom.spool [in]
 ///     0.00,1555.1,0.000,0.1297
 ///
-/// Columns are time, and LINK.SENSOR for the four links and the sensors of record.hpp. Any unit of the quantity is
-/// converted. The time may also be a date and time of ISO 8601, which is converted to seconds from the first instant. A
-/// column "configuration" without a unit has the letters a to e, or any other text where the configuration is unknown.
-/// A column with another name causes a warning and is ignored. A channel that is not needed and has an empty cell is
-/// ignored.
+/// A column's name is "time", or LINK.SENSOR with one of the four links and a sensor of record.hpp. Any unit of the
+/// quantity is converted. The time may also be a date and time of ISO 8601, which is converted to seconds from the
+/// first instant. A column "configuration" has the letter a to e of the main valve's configuration, or any other text
+/// if the configuration is unknown. A column with another name causes a warning and is ignored. A channel with an empty
+/// cell is ignored too, if `needs` does not require the channel.
 ///
 /// The text is refused if: a column or its unit is missing, wrong or repeated; there is no sensor column; a value is
 /// not a number or larger than any measurement; times go back, repeat with other readings, or deviate from whole
 /// periods by more than jitter_tolerance; the period changes; there are fewer than `fewest_samples` rows; or
-/// split_table() (text/table.hpp) refuses it. There are warnings about: successive identical rows (used once), jittered
-/// times (resampled), gaps, channels that never change, channels and periods that would be usual in another unit,
-/// pressures below vacuum, and frozen pressures and angles. Faults are in the order of their lines.
+/// split_table() (text/table.hpp) refuses it. Warnings report: successive identical rows (used once), jittered times
+/// (resampled), gaps, channels that never change, values and periods that would be usual in another unit, pressures
+/// below vacuum, and pressures and angles that freeze and then jump. Faults are in the order of their lines.
 ReadRecord read_record(std::string_view text, const RecordNeeds& needs = {});
 
-/// Reads a text of any length in pieces, as read_record reads a whole text.
+/// Reads a long text in pieces, so that the program need not hold the whole text. The results are those of
+/// read_record() for the whole text.
 class RecordReader {
 public:
     explicit RecordReader(RecordNeeds needs = {}) : needs_(std::move(needs)) {}
 
-    /// Reads the next whole lines of the text. The first piece determines the period. Warnings about the header are
-    /// given once. If a fault makes the piece unusable, there is no record, and the reader must not be used any more.
+    /// Reads the next lines of the text. REQUIRES: `lines` ends at the end of a line. The first piece determines the
+    /// period. Warnings about the header are given once. If a fault makes the piece unusable, the result has no record,
+    /// and the caller must not use the reader any more.
     ReadRecord read(std::string_view lines);
     /// Returns the warnings about whole channels, and about all rows that were left out, at the end of the text.
     std::vector<Diagnostic> finish() const;
-    /// Returns the date of the time 0, in s since 1970, if the file has dates and a piece was read.
+    /// Returns the date at which the record's time is 0, in s since 1970. Returns nullopt if the file has no dates or
+    /// no piece was read.
     std::optional<double> begun_s() const;
 
 private:
@@ -138,10 +142,10 @@ private:
     std::size_t skipped_ = 0, first_skipped_line_ = 0; ///< rows that lack a reading
     std::optional<RowBefore> before_;
     std::optional<double> period_s_;
-    std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning has been given
+    std::set<std::size_t> told_; ///< positions in the header of the columns about which a warning was given
 };
 
-/// The line fit of slopes needs 5 samples.
+/// The least number of samples in a record: slopes come from lines fitted to 5 samples.
 inline constexpr std::size_t fewest_samples = 5;
 
 /// Returns a text that read_record reads, with every measured channel in the unit of units.hpp.

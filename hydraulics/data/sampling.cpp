@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// We chose these limits: five samples at a longer period would outlast a transient, and shorter periods are untested.
+/// At a longer period, five samples would outlast a transient. Shorter periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
 /// A period may be beyond these limits by this factor, because of rounding.
 constexpr double rounding = 1 + 1e-6;

@@ -33,20 +33,20 @@ enum class Quantity : unsigned char {
     resistance     ///< psi s/in^3: pressure loss per flow in a line
 };
 
-/// A unit. `factor` is the size of the unit, in the unit that Quantity lists.
+/// A unit. `factor` is its size in the unit that Quantity lists, so a value times `factor` is in that unit.
 struct Unit {
     std::string_view name;
     Quantity quantity;
     double factor;
 };
 
-/// Pascals per psi and metres per inch. All other factors between the systems follow from these.
+/// Pascals per psi and metres per inch. All other factors between metric and these units follow from these two.
 inline constexpr double pascal_per_psi = 6894.757293168361;
 inline constexpr double metre_per_inch = 0.0254;
 inline constexpr double deg_per_rad = 180 / std::numbers::pi;
 
-/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or another name that loggers use, or null. The unit
-/// that Quantity lists has factor 1.
+/// Returns the unit with a name such as "cm^3/s", "kPa" or "deg", or with another name that loggers use. Returns null
+/// if no unit has this name.
 const Unit* unit_named(std::string_view name);
 
 /// Returns all units of a quantity, beginning with the unit that Quantity lists.

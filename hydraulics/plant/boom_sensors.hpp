@@ -9,7 +9,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The sensors of the measured excavator's boom. Each reading is the true value with noise, rounded by a converter.
+/// The sensors of the boom in the detailed model of measured_excavator.hpp. Each reading is the true value plus noise,
+/// rounded by an analogue-to-digital converter.
 struct BoomSensors {
     MeasurementNoise noise;
     Converter pressure;     ///< its range begins at 0 psi
@@ -20,18 +21,17 @@ struct BoomSensors {
     double period_s;
 };
 
-/// Reads the rows sensors.*, noise.*, fault.spool_offset and excavator.joint_at_rest.
+/// Reads the parameters sensors.*, noise.*, fault.spool_offset and excavator.joint_at_rest.
 BoomSensors boom_sensors(const Parameters& parameters = Parameters::excavator());
 
-/// Adds one reading of each sensor at this state: both pressures, each at the valve's end of its hose, the angle and
-/// the spool. Draws four normal numbers, in the order inlet pressure, outlet pressure, angle, spool, even without
-/// noise.
+/// Adds one reading of each sensor to `record`: both pressures, the angle and the spool. The pressures are those at the
+/// valve's ends of the hoses. Draws four normal numbers, in the order inlet pressure, outlet pressure, angle, spool,
+/// even without noise.
 void read_boom_sensors(const MeasuredState& state, const MeasuredExcavator& excavator, const BoomSensors& sensors,
                        const UniformSource& uniform, Record& record);
 
-/// Reads every sensor of the boom once a period: both pressures, each at the valve's end of its hose, the angle, the
-/// spool, and the voltage that the control system commanded. Throws UnfitScenario (requirement.hpp) if the period is
-/// not a whole multiple of the motion's step.
+/// Returns a record of a whole motion. Each period has one reading of every sensor, and the voltage that the control
+/// system commanded. Throws UnfitScenario (requirement.hpp) if the period is not a whole multiple of the motion's step.
 Record read_boom_sensors(std::span<const MeasuredState> motion, const MeasuredExcavator& excavator,
                          const BoomSensors& sensors, const UniformSource& uniform);
 

@@ -6,12 +6,13 @@
 
 namespace placedpar::hydraulics {
 
-/// An analogue-to-digital or digital-to-analogue converter.
+/// An analogue-to-digital or digital-to-analogue converter of a simulated machine. It rounds readings and voltages to
+/// its resolution.
 struct Converter {
     double range;
     int bits; ///< 0: values pass unchanged
 
-    /// Returns the resolution; 0 if there are no bits.
+    /// Returns the difference between two neighbouring codes; 0 if `bits` is 0.
     double step() const;
     /// Returns the value of the nearest code; a value half-way between two codes goes to the even code. The error is at
     /// most half a step.

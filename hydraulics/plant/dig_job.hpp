@@ -9,8 +9,8 @@
 
 namespace placedpar::hydraulics {
 
-/// A time during which the joysticks are held. The joysticks demand a velocity of the bucket's tip (2.1), and the soil
-/// opposes the motion with a force.
+/// A part of a job, during which the operator holds the joysticks still. The joysticks demand a velocity of the
+/// bucket's tip (thesis 2.1), and the soil opposes the motion with a force.
 struct JoystickMove {
     double seconds;       ///< > 0
     TipPose velocity;     ///< change of the pose per second
@@ -18,6 +18,7 @@ struct JoystickMove {
     std::size_t line = 0; ///< line of the move in the job's file; 0: no file
 };
 
+/// A digging job of a simulated excavator: the moves of the joysticks, one after the other.
 struct DigJob {
     std::string name;  ///< name of the job's file
     std::string about; ///< description; may be empty
@@ -27,8 +28,9 @@ struct DigJob {
     double duration_s() const;
 };
 
-/// The reference trajectory of the tip. The velocity approaches the velocity that the joysticks demand; the difference
-/// falls like exp(-t / `lag_s`). The pose is the exact integral of the velocity.
+/// The trajectory of the bucket's tip that the controller makes from the joysticks' moves. The velocity approaches the
+/// velocity that the joysticks demand: the difference falls like exp(-t / `lag_s`). The pose is the exact integral of
+/// the velocity.
 class TipReference {
 public:
     /// REQUIRES: the job has moves and outlives this object; lag_s > 0.
@@ -39,7 +41,7 @@ public:
     /// Returns the index of the move in progress; after the end of the job, the index of the last move.
     std::size_t move() const { return move_; }
     const JoystickMove& current() const { return job_.moves[move_]; }
-    /// Advances by `seconds`, during which the joysticks stay as they are at the beginning.
+    /// Advances by `seconds`, with the joysticks held as at the beginning of this time.
     void advance(double seconds);
 
 private:
@@ -49,8 +51,8 @@ private:
     TipPose pose_, velocity_{};
 };
 
-/// Returns the index of the first move in which the reference leaves the arm's reach, checked every `period_s`; nullopt
-/// if there is none.
+/// Returns the index of the first move in which the trajectory leaves the arm's reach, checked every `period_s`.
+/// Returns nullopt if the arm reaches the whole trajectory.
 std::optional<std::size_t> unreachable_move(const DigJob&, const ArmLengths&, double lag_s, double period_s);
 
 } // namespace placedpar::hydraulics

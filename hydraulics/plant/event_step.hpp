@@ -9,39 +9,40 @@
 
 namespace placedpar::hydraulics {
 
-/// A system of ordinary differential equations that is smooth except at events: valves that open and shut, knees of a
-/// curve, commands. While the `Mode` is unchanged, the system is smooth.
+/// A system of ordinary differential equations that is smooth except at events: a valve opens or shuts, a curve has a
+/// knee, or a command begins. Its `Mode` states, for example, which valves are open. While the mode is unchanged, the
+/// system is smooth.
 template <typename S>
 concept ModalSystem = requires(S system, const std::vector<double>& state, std::vector<double>& rate, double time_s) {
     { system.rate(state, rate, time_s) } -> std::same_as<typename S::Mode>;
     requires std::equality_comparable<typename S::Mode>;
 };
 
-/// Integrates by the classical Runge-Kutta method of order 4 (Boost.Odeint). Steps end at each event, and the method
-/// restarts after the event, so that the order of convergence holds across events.
+/// Integrates a ModalSystem by the classical Runge-Kutta method of order 4 (Boost.Odeint). The method has order 4 only
+/// where the system is smooth. Therefore a step ends at each event, and the next step begins there.
 ///
 /// A step is clean if all its stages and its end have the mode of its beginning.
-/// 1. Try the step to the end.
+/// 1. Try one step to the end of the demanded time.
 /// 2. If it is unclean, bisect to the longest clean step, take that step, and continue from its end.
-/// 3. If even a step of length resolution_s is unclean, take this step: it hops across the event. The length of hops
-///    doubles until a step is clean again, so that time advances even with endless events.
-/// 4. The steps and hops of one call of advance_to() are its pieces. When the number of pieces reaches a limit, for
-///    example because a valve chatters, step to the end regardless of events.
+/// 3. If even a step of length resolution_s is unclean, take this step, a hop, across the event. Each further hop is
+///    twice as long, until a step is clean again. Time therefore advances even if events never end.
+/// 4. If one call of advance_to() needs too many steps and hops, for example because a valve chatters, step to the end
+///    regardless of events.
 ///
-/// Two events that cancel each other between the stages of one step are not seen. Choose steps shorter than the time
-/// between such events.
+/// If two events cancel each other between the stages of one step, the method does not notice them. Choose steps
+/// shorter than the time between such events.
 template <ModalSystem System>
 class EventStepper {
 public:
     using State = std::vector<double>;
     using Mode = typename System::Mode;
 
-    /// The length of the first hop, which limits the accuracy of the times of events. The resulting error of the state
-    /// is far below the resolution of any reading.
+    /// The length of the first hop. Times of events have this accuracy, so that the error of the state is far below the
+    /// resolution of any reading.
     static constexpr double resolution_s = 1e-12;
 
-    /// The largest number of pieces (steps and hops) in one call of advance_to(), and the largest average number in
-    /// many calls. An event takes about 5 pieces.
+    /// `most_pieces` is the largest number of pieces, that is, steps and hops, in one call of advance_to().
+    /// `pieces_a_call` is the largest average number over many calls. An event takes about 5 pieces.
     static constexpr double most_pieces = 64, pieces_a_call = 0.5;
 
     EventStepper(const System& system, State state, double time_s)
@@ -54,7 +55,7 @@ public:
     const Mode& mode() const { return now_.mode; }
     double time_s() const { return time_s_; }
 
-    /// Must be called when the system's equations have changed.
+    /// Call this function after the system's equations have changed.
     void system_changed() { now_.mode = system_.rate(now_.state, now_.rate, time_s_); }
 
     /// Advances to `end_s`; calls event(time_s, mode before, mode after) at each event.

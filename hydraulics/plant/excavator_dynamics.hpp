@@ -8,24 +8,28 @@
 
 namespace placedpar::hydraulics {
 
-/// The discrete state of one link and its junction: which valves are open, and which branches of the curves apply.
+/// The discrete state of one link and its junction in the main valve. While this state is unchanged, the equations are
+/// smooth.
 struct LinkMode {
     bool inlet_open = false;  ///< the junction's pressure exceeds the link's
     bool bypass_open = false; ///< the junction's pressure exceeds the pressure beyond the bypass
     bool relieving = false;
     bool leaking = false;
     int spool_branch = 0;    ///< interval between knees of A.3 to A.9 in which the spool is
-    std::size_t command = 0; ///< begun_and_ended() of the valve's command
+    std::size_t command = 0; ///< number of steps and ramps of the valve's command that have begun or ended
 
     friend bool operator==(const LinkMode&, const LinkMode&) = default;
 };
 
-/// The differential equations of a scenario, which event_step.hpp solves. For every link:
+/// The differential equations of an excavator with any moving links, which event_step.hpp solves to simulate the
+/// excavator. For every link:
 ///   C_i P_i' = Q_i - A_i v - Q_l (B.2, 2.5);
 ///   C_o P_o' = A_o v + Q_l - Q_o (3.4, if there is a drain side);
 ///   M v' = A_i P_i - A_o P_o - F - friction, x' = v;
 ///   spool' = a_0 (desired - spool) (A.2).
-/// The flows of all junctions are solved together (junction_flow.hpp).
+/// P is a pressure, C a compliance and A an area of the piston, with index i on the inlet side and o on the outlet
+/// side. Q_i and Q_o are the flows in and out, and Q_l is the leak. x and v are the piston's position and velocity, M
+/// is the mass and F the load. The flows of all junctions are solved together (junction_flow.hpp).
 class ExcavatorDynamics {
 public:
     using State = std::vector<double>;
@@ -37,12 +41,12 @@ public:
     /// REQUIRES: a valid scenario, which outlives this object.
     explicit ExcavatorDynamics(const ExcavatorScenario&);
 
-    /// Returns the state in which every load is held: drain sides at tank pressure, inlet pressures in balance, spools
-    /// at rest.
+    /// Returns the state at the start, in which every load is held. The drain sides have the tank's pressure, the inlet
+    /// pressures carry the loads, and the spools are at rest.
     State at_rest() const;
     /// Computes the derivative, and returns the mode in which the derivative is valid.
     Mode rate(const State&, State& derivative, double time_s) const;
-    /// Returns the flow at each link's junction.
+    /// Returns the flows at each link's junction, in the order of the scenario's links.
     std::vector<JunctionFlow> flows(const State&, double time_s) const;
     OrificeAreas areas(const State&, std::size_t link, double time_s) const;
 

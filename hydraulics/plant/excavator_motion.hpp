@@ -24,8 +24,8 @@ struct ExcavatorState {
     std::vector<LinkState> links; ///< in the scenario's order
 };
 
-/// The opening or shutting of a load check valve. Its time has the accuracy of the integration, at best about 10 ns:
-/// nearer to the event, the pressure drop over the inlet is smaller than its rounding error.
+/// The opening or shutting of a load check valve. Its time has the accuracy of the integration, at best about 10 ns. At
+/// shorter times from the event, the pressure drop over the inlet is smaller than its rounding error.
 struct CheckEvent {
     double time_s;
     Link link;
@@ -37,11 +37,11 @@ struct ExcavatorMotion {
     std::vector<CheckEvent> checks;     ///< in order of time
 };
 
-/// Simulates a scenario from rest: equations B.2 to B.5 or, with spools, 3.1 to 3.4 and A.2 to A.9. The simulation
-/// covers all active links, with load checks, relief valves, friction and leaks (excavator_dynamics.hpp). Steps end at
-/// every instant at which a valve opens or shuts, a curve has a knee or a command begins, so that the method keeps its
-/// order 4 (event_step.hpp). The exception is the drain side, whose equation is not smooth where its pressure crosses
-/// the tank's. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
+/// Simulates a scenario from rest, with all its active links (excavator_dynamics.hpp). The equations are B.2 to B.5 or,
+/// with spools, 3.1 to 3.4 and A.2 to A.9. They include load check valves, relief valves, friction and leaks. A step
+/// ends where a valve opens or shuts, a curve has a knee or a command begins. The method therefore keeps its order 4
+/// (event_step.hpp). At one place it does not: the drain side's equation is not smooth where its pressure crosses the
+/// tank's, and no step ends there. Throws UnfitScenario (requirement.hpp) if the scenario is not valid.
 ExcavatorMotion simulate_excavator(const ExcavatorScenario&);
 
 /// Simulates the scenario in the same way, but passes each state to `show` instead of returning all states.

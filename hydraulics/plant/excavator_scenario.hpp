@@ -10,7 +10,7 @@
 
 namespace placedpar::hydraulics {
 
-/// A moving link, with its valve and its leak.
+/// A moving link of a simulated excavator, with its valve and its leak.
 struct ActiveLink {
     Link link;
     LinkMechanics mechanics;
@@ -18,7 +18,7 @@ struct ActiveLink {
     PistonLeak leak = {};
 };
 
-/// The input of excavator_motion.hpp: any set of links in any configuration of the main valve.
+/// What simulate_excavator() (excavator_motion.hpp) simulates: any set of links in any configuration of the main valve.
 struct ExcavatorScenario {
     FlowConstants flow{};
     Configuration configuration{};
@@ -30,7 +30,8 @@ struct ExcavatorScenario {
 /// If a value is invalid, throws an UnfitScenario (requirement.hpp) that names the value and its valid range.
 void require_valid(const ExcavatorScenario&);
 
-/// Returns the junctions of all active links, circuit by circuit; within a circuit, upstream junctions come first.
+/// Returns the junctions of all active links. Junctions of one circuit, between which oil can flow, are neighbours,
+/// with upstream junctions first.
 Circuit junctions_of(const ExcavatorScenario&);
 
 } // namespace placedpar::hydraulics

@@ -12,12 +12,12 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Returns the leak of a link. Only the boom can leak (rows fault.leak*).
+/// Returns the leak of a link. Only the boom can leak (parameters fault.leak*).
 PistonLeak leak_of(Link link, const Parameters& parameters) {
     return link == Link::boom ? PistonLeak{parameters["fault.leak"], parameters["fault.leak_start"]} : PistonLeak{};
 }
 
-/// Returns the orifices of the valve of link `name` over time (equation B.5), from the rows two_links.NAME_*.
+/// Returns the orifices of the valve of link `name` over time (equation B.5), from the parameters two_links.NAME_*.
 TimedOrifices two_link_orifices(std::string_view name, const Parameters& parameters) {
     auto value = [&](std::string_view what) { return parameters[fmt::format("two_links.{}_{}", name, what)]; };
     return {.inlet_final_in2 = value("inlet_final"),

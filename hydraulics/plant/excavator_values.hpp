@@ -7,21 +7,21 @@
 
 namespace placedpar::hydraulics {
 
-/// This file builds scenarios from the numbers of excavator.csv.
+/// These functions make scenarios for the simulation from the machine's constants.
 
-/// Returns a scenario in which the boom is held until the operator demands 4 deg/s. The scenario has a spool, a leak
-/// and a drain side, in configuration a. `motion` is "scenario_a" (a step) or "scenario_b" (a ramp): the group of rows
-/// that describes the motion.
+/// Returns a scenario in which the boom is held until the operator demands 4 deg/s, in configuration a. The boom has a
+/// spool, a leak and a drain side. `motion` is "scenario_a" (the spool's command is a step) or "scenario_b" (a ramp),
+/// the first part of the names of the parameters that describe the motion.
 ExcavatorScenario single_boom_scenario(const Parameters& parameters = Parameters::excavator(),
                                        std::string_view motion = "scenario_a");
 
-/// Returns the simulation of two links in section 3.2 of the thesis: bucket and boom move, supplied by the same pump
-/// (branch 1 of configuration a), and both valves open at once, as in section B.5.
+/// Returns the scenario of section 3.2 of the thesis. One pump moves the bucket and the boom (branch 1 of configuration
+/// a). Both valves open at the same time, as in section B.5.
 ExcavatorScenario two_link_scenario(const Parameters& parameters = Parameters::excavator());
 
-/// Returns a scenario in which the links `active` move in the given configuration. All valves open at once, as in
-/// section B.5 of the thesis, to final areas that give each link the flow that the controller demands. REQUIRES: a link
-/// is active.
+/// Returns a scenario in which the links `active` move in the given configuration. All valves open at the same time, as
+/// in section B.5 of the thesis. Their final areas give each link the flow that the controller demands. REQUIRES: a
+/// link is active.
 ExcavatorScenario step_scenario(Configuration configuration, LinkSet active,
                                 const Parameters& parameters = Parameters::excavator());
 

@@ -13,12 +13,13 @@ struct FlowTarget {
     double inlet_in3_per_s;
 };
 
-/// Returns the areas at which a circuit gives every link its target flow: the feedforward of a computed flow control
-/// (2.3.2), for any configuration. Each junction has the lowest pressure that leaves at least `inlet_drop_psi` over its
-/// inlet and `bypass_drop_psi` over its bypass. Where the circuit keeps the bypass shut, the link takes the junction's
-/// whole flow, whatever the target flow is. Solving the circuit with the result gives the targets again, and no relief
-/// valve opens. REQUIRES: one target per junction, flows and drops above 0. Throws UnfitScenario (requirement.hpp) if a
-/// junction receives less flow than its link needs, or would need more than the relief pressure.
+/// Returns the orifice areas at which a circuit gives every link its target flow. A controller sets these areas without
+/// waiting for an error of the motion (thesis 2.3.2). Each junction has the lowest pressure that leaves at least
+/// `inlet_drop_psi` over its inlet and `bypass_drop_psi` over its bypass. If the circuit keeps a bypass shut, its link
+/// takes the junction's whole flow, whatever the target flow is. Otherwise solve_junctions() with these areas gives the
+/// target flows again, and no relief valve opens. REQUIRES: one target per junction, flows and drops above 0. Throws
+/// UnfitScenario (requirement.hpp) if a junction receives less flow than its link needs, or would need a pressure above
+/// the relief pressure.
 std::vector<JunctionOpening> openings_for(const Circuit&, std::span<const FlowTarget>, const FlowConstants&,
                                           double inlet_drop_psi, double bypass_drop_psi);
 

@@ -2,8 +2,9 @@
 
 namespace placedpar::hydraulics {
 
-/// A second-order model of a hose: the fluid moves as one mass between two compliances, at the valve's end and at the
-/// cylinder's end. The thesis's first-order pipe model has only the sum of the two compliances.
+/// A second-order model of a hose, for a simulation more exact than the thesis's. The fluid moves as one mass between
+/// two compliances, at the valve's end and at the cylinder's end. The thesis's first-order model has no mass, and only
+/// the sum of the two compliances.
 struct Hose {
     double inertance_psi_s2_per_in3; ///< I = density length / bore
     double resistance_psi_s_per_in3; ///< R, laminar
@@ -21,13 +22,14 @@ inline HoseEnds ends_of(const Hose& hose, double compliance_in3_per_psi) {
     return {valve, compliance_in3_per_psi - valve};
 }
 
-/// The state of a line, or the rates at which the state changes. Flow is positive from the first end to the second.
+/// The state of the fluid in a hose, or the rates at which this state changes. Flow is positive from the first end to
+/// the second.
 struct HoseLine {
     double first_psi, flow_in3_per_s, second_psi;
 };
 
-/// Returns the rates of a line whose ends have the compliances `first` and `second`. The flow `fed` enters at the first
-/// end, and the flow `drawn` leaves at the second.
+/// Returns the rates for a hose whose ends have the compliances `first_in3_per_psi` and `second_in3_per_psi`. The flow
+/// `fed_in3_per_s` enters at the first end, and the flow `drawn_in3_per_s` leaves at the second.
 inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double second_in3_per_psi, const HoseLine& line,
                          double fed_in3_per_s, double drawn_in3_per_s) {
     return {(fed_in3_per_s - line.flow_in3_per_s) / first_in3_per_psi,
@@ -36,7 +38,8 @@ inline HoseLine rates_of(const Hose& hose, double first_in3_per_psi, double seco
             (line.flow_in3_per_s - drawn_in3_per_s) / second_in3_per_psi};
 }
 
-/// Returns the undamped natural frequency of the fluid between the two shut ends: sqrt((1/C_1 + 1/C_2) / I).
+/// Returns the undamped natural frequency of the fluid in a hose with both ends shut: sqrt((1/C_1 + 1/C_2) / I). A
+/// simulation's step must be short compared with its period.
 double natural_rad_per_s(const Hose& hose, const HoseEnds& ends);
 
 } // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// Below this pressure there is vapour, and the mixture's formula is not valid.
+/// Below this pressure the oil forms vapour, and the formula for a mixture of oil and air is not valid.
 constexpr double least_psia = 1;
 
 /// Returns the compliance at the cylinder's end of the inlet side, where free air gathers and adds to the compliance.

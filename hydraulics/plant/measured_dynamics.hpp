@@ -8,15 +8,18 @@
 
 namespace placedpar::hydraulics {
 
-/// The differential equations of the measured excavator, which event_step.hpp solves. On either side of the piston a
-/// hose connects the valve and the cylinder.
+/// The differential equations of the detailed model of the boom (measured_excavator.hpp), which event_step.hpp solves.
+/// On each side of the piston a hose connects the valve and the cylinder.
 ///
 ///   inlet: C_v P_v' = Q_i - q, I q' = P_v - P_c - R q, C_c P_c' = q - A_i v - Q_l;
 ///   drain: C_c P_oc' = A_o v + Q_l - q_o, I q_o' = P_oc - P_ov - R q_o, C_v P_ov' = q_o - Q_o;
 ///   piston: M v' = A_i P_c - A_o P_oc - F_g - b v - friction(v, z), Q_l = k_l (P_c - P_oc);
 ///   spool: spool' = a_0 (desired - spool).
 ///
-/// Q_i comes from the flow split 3.1 to 3.3, fed by the pump with its ripple. Q_o comes from 3.4.
+/// P_v and P_c are the pressures at a hose's two ends, C_v and C_c the compliances there, and q is the flow in the
+/// hose. I and R are the hose's inertance and resistance. z is the bending of the friction's bristles, and F_g is the
+/// load. Equations 3.1 to 3.3 give Q_i, the part of the rippling pump flow that enters the inlet hose. Equation 3.4
+/// gives Q_o, the flow to the tank.
 class MeasuredDynamics {
 public:
     enum Component : std::size_t {
@@ -66,8 +69,8 @@ private:
     double desired_spool_in_ = 0;
 };
 
-/// Returns the flow of the drain side through an orifice (3.4), in either direction. The flow is laminar near a drop of
-/// 0, so that the slope of the flow is finite there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
+/// Returns the flow of the drain side through an orifice (3.4), in either direction. Near a drop of 0 the flow is
+/// laminar, because the root of equation 3.4 has an infinite slope there: Q = k a drop / (drop^2 + laminar^2)^(1/4).
 double drain_in3_per_s(double outlet_in2, double drop_psi, double laminar_psi, const FlowConstants& flow);
 
 } // namespace placedpar::hydraulics

@@ -21,8 +21,8 @@ StickFriction friction_of(const Parameters& parameters) {
             .bristle_damping_lbf_s_per_in = parameters["stiction.bristle_damping"]};
 }
 
-/// The sensor and equation A.1 both give positions that are too high by the offset, so a voltage moves the spool less
-/// far than A.1 states.
+/// With a spool offset, the sensor and equation A.1 both give positions that are too high. A voltage therefore moves
+/// the spool less far than A.1 states.
 DriftedVoltageSpool voltage_spool_of(const Parameters& parameters) {
     return {{parameters["fault.servo_bias"], parameters["fault.servo_drift"]}, {-parameters["fault.spool_offset"], 0}};
 }

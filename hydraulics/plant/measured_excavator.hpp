@@ -13,15 +13,16 @@
 
 namespace placedpar::hydraulics {
 
-/// The ripple in the flow of an axial piston pump.
+/// The ripple in the flow of an axial piston pump, a small oscillation.
 struct PumpRipple {
     double amplitude;       ///< amplitude of the fundamental, relative to the mean flow
     double frequency_per_s; ///< pistons times shaft speed
 };
 
-/// A detailed model in place of the thesis's excavator, whose recordings we do not have. It describes the boom in
-/// configuration a, with effects that the model for identification leaves out. Values that both models share (orifices,
-/// masses, areas) come from the same rows of excavator.csv.
+/// A detailed model of the thesis's excavator, whose recordings this project does not have. Records of this model take
+/// their place, to test the identification. The model describes the boom in configuration a, with effects that the
+/// identification's model leaves out: hoses, ripple, stick friction, air in the oil and converters. Orifices, masses
+/// and areas are the same in both models.
 struct MeasuredExcavator {
     FlowConstants flow;
     LinkMechanics boom; ///< its friction_velocity is not used
@@ -41,7 +42,7 @@ struct MeasuredExcavator {
     double integration_step_s;
 };
 
-/// Reads the rows of the record scenario `excavator` (record_scenario.hpp).
+/// Reads the parameters that the scenario "excavator" uses (record_scenario.hpp).
 MeasuredExcavator measured_excavator(const Parameters& parameters = Parameters::excavator());
 
 /// Returns the voltage at the servo-valve: the command at the last sampling instant, through the converter.

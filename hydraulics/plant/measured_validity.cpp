@@ -58,8 +58,9 @@ void require_valid_command(const MeasuredExcavator& excavator) {
         excavator_needs.refuse("the servo's bits", excavator.servo_converter.bits, "0 to 32");
 }
 
-/// Returns the greatest decay rate of the drain's pressure, per second. The flow changes most steeply with the pressure
-/// drop if the drop is 0 and the spool is at its greatest travel. Its slope is then k a / sqrt(laminar).
+/// Returns the greatest decay rate of the drain side's pressure, per second. The flow changes most steeply with the
+/// pressure drop if the drop is 0 and the spool is at its greatest travel. The slope of the flow is then k a /
+/// sqrt(laminar).
 double drain_rate_per_s(const MeasuredExcavator& excavator) {
     double spool_in = 0;
     for (double time_s : {0.0, excavator.duration_s})
@@ -71,8 +72,9 @@ double drain_rate_per_s(const MeasuredExcavator& excavator) {
     return slope / ends_of(excavator.outlet_hose, excavator.boom.outlet_compliance_in3_per_psi).valve_in3_per_psi;
 }
 
-/// The method is stable if the product of the step with each decay rate, and with the frequency of each oscillation, is
-/// at most about 2.8. Oscillations need a shorter step to be accurate as well.
+/// Throws UnfitScenario if the integration step is too long. The method is stable if the step times each decay rate,
+/// and times the frequency of each oscillation, is at most about 2.8. To be accurate, oscillations need an even shorter
+/// step.
 void require_short_step(const MeasuredExcavator& excavator) {
     const LinkMechanics& boom = excavator.boom;
     auto resolve = [&](std::string_view what, double rate_per_s, double most) {

@@ -18,7 +18,7 @@ struct MeasurementNoise {
     double area_share = 0; ///< noise of measured orifice areas, as a share of the area
 };
 
-/// Reads the rows noise.*.
+/// Reads the parameters noise.*.
 MeasurementNoise measurement_noise(const Parameters& parameters);
 
 /// The noise levels of the identification studies, chosen for this project.
@@ -27,7 +27,8 @@ inline constexpr MeasurementNoise low_noise{2, 0.003, 0.0003, 0.001};
 inline constexpr MeasurementNoise mid_noise{5, 0.005, 0.0005, 0.002};
 inline constexpr MeasurementNoise high_noise{10, 0.01, 0.001, 0.004};
 
-/// A source of numbers uniform in [0, 1), given by the caller, so that the record is a function of the caller's seed.
+/// A source of random numbers uniform in [0, 1). The caller provides it, so that the caller's seed determines the
+/// record.
 using UniformSource = std::function<double()>;
 
 /// Returns one number from the standard normal distribution, computed from two uniform numbers by the cosine formula of
@@ -37,8 +38,9 @@ double standard_normal(const UniformSource& uniform);
 /// The thesis samples every 20 ms.
 inline constexpr double sampling_period_s = 0.020;
 
-/// The resolutions of readings, far below any noise. The last bits of exp, log and tanh may differ between mathematical
-/// libraries; rounding keeps these bits out of the record and out of everything computed from the record.
+/// The resolutions to which readings are rounded, far below any noise. The last bits of exp, log and tanh may differ
+/// between mathematical libraries. Rounding keeps these bits out of the record, so that all machines compute the same
+/// record.
 inline constexpr double pressure_resolution_psi = 0x1p-20;
 inline constexpr double angle_resolution_deg = 0x1p-30;
 inline constexpr double spool_resolution_in = 0x1p-30;
@@ -56,7 +58,7 @@ double step_of(std::span<const State> motion) {
     return motion[1].time_s - motion[0].time_s;
 }
 
-/// Returns the number of steps of a motion per sample. Throws UnfitScenario unless this number is whole.
+/// Returns the number of integration steps in a sampling period. Throws UnfitScenario if this number is not whole.
 std::size_t steps_in(double period_s, double step_s);
 
 } // namespace placedpar::hydraulics

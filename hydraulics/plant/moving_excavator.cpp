@@ -30,7 +30,8 @@ PerLink<double> junctions_psi(const MachineState& state) {
     return psi;
 }
 
-/// The machine's differential equations with constant configuration, commands and loads.
+/// The differential equations of a digging excavator during one step, in which configuration, commands and loads are
+/// constant.
 class MovingDynamics {
 public:
     explicit MovingDynamics(const MovingExcavator& machine) : machine_(machine) {}
@@ -77,7 +78,7 @@ private:
     const MovingExcavator& machine_;
 };
 
-/// Simulates a job in steps of the control period.
+/// Simulates a digging job in steps of the controller's period.
 class Digging {
 public:
     Digging(const MovingExcavator& machine, const DigJob& job)
@@ -142,8 +143,8 @@ private:
                            joint_rates(machine_.arm, angles, reference_.velocity()));
     }
 
-    /// Sets the load of each link, including the soil's force against the reference's velocity. Below 5 in/s this force
-    /// is proportional to the velocity.
+    /// Sets the load of each link, with the force of the soil against the demanded velocity of the tip. Below 5 in/s
+    /// this force is proportional to the velocity.
     void set_loads() {
         constexpr double full_in_per_s = 5;
         const TipPose& v = reference_.velocity();

@@ -9,7 +9,7 @@
 
 namespace placedpar::hydraulics {
 
-/// The true state of one link.
+/// The true state of one link of a digging excavator.
 struct MovingLink {
     double inlet_psi, angle_rad, rate_rad_per_s, load_lbf;
     OrificeAreas areas;
@@ -22,19 +22,19 @@ struct MovingState {
     double p11_psi, p21_psi; ///< pressures at the pumps
     BranchPressures branch;
     Configuration configuration; ///< the configuration that the true pressures cause
-    TipPose asked;               ///< the reference trajectory
+    TipPose asked;               ///< the pose that the controller demands from the arm
 };
 
-/// Simulates the job from rest, and calls `show` with the state at each time of the controller. At these times the
-/// controller reads angles, rates and inlet pressures. The controller resolves the velocity of the tip's reference into
-/// joint rates, and corrects the rates by P-D feedback. It computes the flows from the rates, and the areas for the
-/// present configuration from the flows (feedforward.hpp). The pilot valves set the areas after a dead time and with a
-/// lag.
+/// Simulates a digging job from rest. Once in every period of the controller, calls `show` with the state. At these
+/// times the controller reads angles, rates and inlet pressures. The controller converts the demanded velocity of the
+/// bucket's tip into joint rates, and corrects the rates by P-D feedback. From the rates it computes the flows. From
+/// the flows it computes the areas for the present configuration (feedforward.hpp). The pilot valves set the areas
+/// after a dead time and with a lag.
 ///
-/// Integrates by the Runge-Kutta method of order 4 in fixed steps. Each junction has the compliance of the oil in its
-/// pipes, so that flows follow directly from the pressures. The cross-over valves move between steps. Throws
-/// UnfitScenario if the job leaves the arm's reach, if the soil's force cancels a link's load, or if the dead time is
-/// not shorter than the controller's period.
+/// Integrates by the Runge-Kutta method of order 4 in fixed steps. The oil in the pipes has a compliance at each
+/// junction. The pressures are therefore states of the simulation, and the flows follow directly from them. The
+/// cross-over valves move only between steps. Throws UnfitScenario if the job leaves the arm's reach, if the soil's
+/// force cancels a link's load, or if the dead time is not shorter than the controller's period.
 void simulate_moving(const MovingExcavator&, const DigJob&, const std::function<void(const MovingState&)>& show);
 
 } // namespace placedpar::hydraulics

@@ -6,7 +6,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The gains of the controller (thesis 2.3.2), and the pressure drops across the orifices that its feedforward assumes.
+/// The gains of the controller (thesis 2.3.2), and the pressure drops over the orifices for which the controller
+/// computes their areas.
 struct TrackingGains {
     double proportional_per_s;   ///< gain of the angle's error
     double derivative;           ///< gain of the rate's error
@@ -14,11 +15,12 @@ struct TrackingGains {
     double inlet_drop_psi, bypass_drop_psi;
 };
 
-/// An excavator whose four links dig: the simplified links and valves of appendix B, the whole main valve with its
-/// cross-over network, and the controller that follows the joysticks.
+/// An excavator whose four links dig, for the simulation of moving_excavator.hpp. Links and valves are the simplified
+/// ones of the thesis's appendix B. The main valve is complete: its cross-over network leads one pump's surplus oil to
+/// the other pump's links. A controller follows the joysticks.
 ///
-/// A link moves backwards under its load, without the pump, and the valve throttles the oil that flows to the tank.
-/// This model is ours: the thesis gives no equations for backward motion.
+/// The load, and not the pump, moves a link backwards, while the valve throttles the oil that flows to the tank. The
+/// thesis has no equations for backward motion, so this model is this project's.
 struct MovingExcavator {
     MainValve valve{};
     CrossOverLimits cross_over{};
@@ -28,11 +30,11 @@ struct MovingExcavator {
     double joystick_lag_s = 0;
     double bypass_rest_in2 = 0;  ///< bypass area of a valve at rest
     double dead_time_s = 0;      ///< dead time of the pilot valves; their lag is LinkMechanics::spool_lag_per_s
-    double control_period_s = 0; ///< also the interval between the states that are shown
+    double control_period_s = 0; ///< also the interval between the states that simulate_moving() shows
     double integration_step_s = 0;
 };
 
-/// Reads the parameters that digging_uses() names (record_scenario.hpp).
+/// Reads the parameters that digging_scenario() uses (record_scenario.hpp).
 MovingExcavator moving_excavator(const Parameters& parameters);
 
 } // namespace placedpar::hydraulics

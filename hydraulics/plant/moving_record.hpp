@@ -6,9 +6,9 @@
 
 namespace placedpar::hydraulics {
 
-/// Simulates a job, and reads every link at the controller's times with noise: inlet pressure, angle, inlet area and
-/// bypass area, in this order, link after link. The record also holds the true configuration. Throws what
-/// simulate_moving() throws.
+/// Simulates a digging job, and records noisy readings of every link once in each period of the controller. A link's
+/// readings are inlet pressure, angle, inlet area and bypass area. Random numbers are drawn in this order, link after
+/// link. The record also holds the true configuration of the main valve. Throws what simulate_moving() throws.
 Record measure_moving(const MovingExcavator&, const DigJob&, const MeasurementNoise&, const UniformSource& uniform);
 
 } // namespace placedpar::hydraulics

@@ -11,7 +11,7 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The coefficients of s^3 + square s^2 + linear s + constant.
+/// The coefficients of the denominator of the loop's transfer function, s^3 + square s^2 + linear s + constant.
 struct Denominator {
     double square, linear, constant;
 };

@@ -20,7 +20,8 @@ bool in_group(std::string_view name, std::initializer_list<std::string_view> gro
     return std::ranges::any_of(groups, [&](std::string_view group) { return name.starts_with(group); });
 }
 
-/// Returns whether every scenario uses the parameter. The rounded constants are a separate set, for other experiments.
+/// Returns whether every scenario uses the parameter. No scenario uses the rounded constants, which are for other
+/// experiments.
 bool used_by_all(std::string_view name) {
     return in_group(name, {"flow.", "boom.", "noise.", "sensors.period"}) && !name.starts_with("flow.rounded.");
 }
@@ -31,7 +32,7 @@ bool used_by_simple_plant(std::string_view name) {
 
 bool scenario_a_uses(std::string_view name) { return used_by_simple_plant(name) || name.starts_with("scenario_a."); }
 
-/// The rows in which scenario B's machine differs from scenario A's.
+/// The parameters in which scenario B's machine differs from scenario A's.
 constexpr std::array<std::string_view, 5> machine_of_b{"mass", "damping", "friction", "gravity", "spool_lag"};
 
 bool scenario_b_uses(std::string_view name) {

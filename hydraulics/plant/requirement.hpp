@@ -6,7 +6,7 @@
 
 namespace placedpar::hydraulics {
 
-/// Reports a machine or a motion that cannot be simulated or measured; what() names the invalid value and its valid
+/// Reports a machine or a motion that cannot be simulated or measured. what() names the invalid value and its valid
 /// range.
 class UnfitScenario : public UserError {
 public:
@@ -16,7 +16,7 @@ public:
 /// Checks the values of a machine or a scenario. All functions throw UnfitScenario with a text such as "measured
 /// machine: the boom's mass is -1, expected above 0".
 struct Requirement {
-    std::string_view of; ///< such as "measured machine"
+    std::string_view of; ///< what is checked, such as "measured machine"
 
     [[noreturn]] void refuse(std::string_view what, double value, std::string_view expected) const;
     void positive(std::string_view what, double value) const;

@@ -6,8 +6,8 @@
 
 namespace placedpar::hydraulics {
 
-/// The control system's command to the boom's servo-valve: a step or a ramp to a voltage, and optionally a later step
-/// to a second voltage.
+/// The control system's command to the boom's servo-valve in a simulation. The voltage changes by a step or a ramp, and
+/// optionally by a later step to a second voltage.
 struct ServoCommand {
     double at_rest_volts;
     double step_time_s;
@@ -17,10 +17,10 @@ struct ServoCommand {
     double second_volts;
 };
 
-/// Reads the rows excavator.servo_*, excavator.step_time and excavator.second_time.
+/// Reads the parameters excavator.servo_*, excavator.step_time and excavator.second_time.
 ServoCommand servo_command(const Parameters& parameters);
 
-/// Returns the command at an instant, before any converter.
+/// Returns the command at an instant, before a converter rounds it.
 double volts_at(const ServoCommand& command, double time_s);
 
 } // namespace placedpar::hydraulics

@@ -13,7 +13,7 @@ struct ArmLengths {
     double boom_in, stick_in, bucket_in;
 };
 
-/// Reads the rows arm.*.
+/// Reads the parameters arm.*.
 ArmLengths arm_lengths(const Parameters& parameters);
 
 /// The position of the bucket's tip and the direction of the bucket, or their rates per second.
@@ -26,17 +26,18 @@ struct TipPose {
 
 /// The angles of the joints in rad. The boom's angle is measured upwards from the horizontal. The stick's angle is its
 /// bend from the boom's direction, 0 to pi; the bucket's angle is its bend from the stick's direction. Both bends grow
-/// as the arm folds inwards and down, which is the direction in which the pump moves the links.
+/// as the arm folds inwards and down. The pump moves the links in this direction.
 using JointAngles = PerLink<double>;
 
 TipPose tip_pose(const ArmLengths&, const JointAngles&);
 
 /// Returns the angles for a pose, with the stick's bend from 0 to pi. Returns nullopt if boom and stick do not reach
-/// the pose, or if the bend is within `margin_rad` of 0 or pi, where rates have no bound.
+/// the pose. Also returns nullopt if the stick's bend is within `margin_rad` of 0 or pi, because the joints' rates
+/// there can become infinite.
 std::optional<JointAngles> joint_angles(const ArmLengths&, const TipPose&, double margin_rad = 0.05);
 
-/// Returns the rates of the joints that move the tip at this velocity (resolved motion, 2.1). REQUIRES: the stick's
-/// bend is neither 0 nor pi.
+/// Returns the rates of the joints that move the tip at this velocity (resolved motion, thesis 2.1). REQUIRES: the
+/// stick's bend is neither 0 nor pi.
 JointAngles joint_rates(const ArmLengths&, const JointAngles&, const TipPose& velocity);
 
 /// Returns the torque with which a force on the tip acts on each joint, positive in the direction of growing angles

@@ -39,8 +39,8 @@ void limit(const Circuit& circuit, std::vector<FlowTarget>& targets, const Movin
 }
 
 /// Returns the configuration for which the controller computes the areas. If the first link of a branch asks for the
-/// whole flow of its pump, the link gets this flow, and its bypass is shut. Otherwise bypass and check valve stay open,
-/// so that the link's flow can be controlled.
+/// whole flow of its pump, its bypass may be shut. Otherwise bypass and check valve must stay open, so that the link's
+/// flow can be controlled.
 Configuration steered(Configuration configuration, const PerLink<double>& asked_in3_per_s, const FlowConstants& flow) {
     auto asks_all = [&](Link link) {
         return asked_in3_per_s[index_of(link)] >= most_of_a_junction * flow.pump_in3_per_s;

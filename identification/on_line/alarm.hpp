@@ -11,6 +11,7 @@
 
 namespace placedpar::identification {
 
+/// The faults of which the on-line diagnosis warns the excavator's operator.
 enum class AlarmKind : unsigned char {
     compliance,     ///< a changed compliance, for example because of air in the oil or a softer hose
     leak,           ///< a leak from a hose or past a piston
@@ -18,7 +19,7 @@ enum class AlarmKind : unsigned char {
     drift,          ///< the spool is not at the position that the servo-valve's voltage demands
     leak_or_offset, ///< either a leak, or an offset or a drift
     sensor,         ///< physically impossible readings
-    branch          ///< all links of a branch have the same fault, so a shared part is the cause
+    branch          ///< all links that one pump feeds have the same fault, so a shared part is the cause
 };
 
 inline constexpr std::array<AlarmKind, 7> all_alarm_kinds{
@@ -34,19 +35,19 @@ struct Alarm {
     hydraulics::LinkSet links; ///< one link, or all links of a branch
     std::string text;          ///< a sentence for the operator
 
-    /// Compares kind and links only; the numbers in the texts may differ.
+    /// Compares kind and links only. The numbers in the texts of equal alarms may differ.
     friend bool operator==(const Alarm& a, const Alarm& b) { return a.kind == b.kind && a.links == b.links; }
 };
 
-/// The verdict on a link and the units of its deviation.
+/// The verdict on a link, and the sizes of deviations that count as one unit for this link.
 struct LinkVerdict {
     Verdict verdict;
     WayUnits units;
 };
 
 /// Returns the alarms that follow from the verdicts, ordered by kind and link. Cross-check 2 of thesis 3.3 locates the
-/// fault: if all links of a branch have the same fault, the cause is a part that they share: the pump, or the supply of
-/// the valves.
+/// fault. If all links of a branch (the links that one pump feeds) have the same fault, the cause is a part that they
+/// share: the pump, or the supply of the valves.
 std::vector<Alarm> find_alarms(const hydraulics::PerLink<LinkVerdict>& verdicts);
 
 } // namespace placedpar::identification

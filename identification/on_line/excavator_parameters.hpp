@@ -17,8 +17,8 @@ struct ExcavatorParameters {
     friend bool operator==(const ExcavatorParameters&, const ExcavatorParameters&) = default;
 };
 
-/// Takes the constants from a table of parameters: link_constants(), flow_constants(), and the compliance of each link
-/// (parameter LINK.inlet_compliance). The sampling period is 20 ms, as in the thesis.
+/// Takes the constants from the machine's parameters. The compliance of a healthy link is the parameter
+/// LINK.inlet_compliance. The sampling period is 20 ms, as in the thesis.
 ExcavatorParameters excavator_parameters(const hydraulics::Parameters& parameters);
 
 } // namespace placedpar::identification

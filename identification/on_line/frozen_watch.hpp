@@ -5,15 +5,15 @@
 
 namespace placedpar::identification {
 
-/// Detects, reading by reading, a sensor that freezes and then jumps to the present value. Uses the rule of
-/// hydraulics/data/frozen_run.hpp.
+/// Detects a faulty sensor that repeats one reading for a while and then jumps to the true value. Uses the rule of
+/// hydraulics/data/frozen_run.hpp, but takes one reading after the other.
 class FrozenWatch {
 public:
     /// Holds everything that is needed to restore the object.
     struct State {
         std::optional<double> last;
         std::size_t equal = 0; ///< number of equal readings up to the last
-        double jump = 0; ///< change from a long run of equal readings to the last reading; 0: there is no such run
+        double jump = 0;       ///< change from a long run of equal readings to the last reading; 0 without such a run
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -23,8 +23,8 @@ public:
     const State& state() const { return state_; }
     friend bool operator==(const FrozenWatch&, const FrozenWatch&) = default;
 
-    /// Returns whether the sensor froze for at least `fewest` readings and then jumped by at least `least_jump`. The
-    /// result comes one reading after the jump.
+    /// Adds a reading. Returns whether the sensor gave at least `fewest` equal readings and then jumped by at least
+    /// `least_jump`. The result is true one reading after the jump, because the step after the jump must be known.
     bool take(double reading, double least_jump, std::size_t fewest);
     /// Forgets the readings after a gap.
     void restart() { state_ = {}; }

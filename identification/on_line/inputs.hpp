@@ -8,14 +8,16 @@
 
 namespace placedpar::identification {
 
-/// These types hold what a control system reports about its excavator. The monitor receives the reports.
+/// These types hold what a control system reports about its excavator to the on-line diagnosis.
 
+/// The main valve has changed its configuration, or other links move.
 struct ConfigurationChange {
     hydraulics::Configuration configuration;
     hydraulics::LinkSet active;
 };
 
-/// From now on, configuration and moving links are recognised from the readings of all four links.
+/// The control system does not report configuration and moving links. From now on, the diagnosis recognises them from
+/// the readings of all four links.
 struct RecognisedConfiguration {};
 
 /// The opening of a valve is given by the position of its spool, by the voltage that moves the spool, or by its areas.
@@ -42,7 +44,7 @@ struct ExcavatorSample {
     hydraulics::PerLink<std::optional<Reading>> links; ///< nullopt: the link was not read
 };
 
-/// The compliances of a healthy excavator.
+/// The compliances of a healthy excavator, with which the diagnosis compares its estimates.
 struct Baseline {
     hydraulics::PerLink<std::optional<double>> compliance_in3_per_psi; ///< nullopt: keep the link's present value
 };

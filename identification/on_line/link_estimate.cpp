@@ -60,8 +60,8 @@ void LinkEstimate::add(double compliance, double time_s, double step, const Diag
     const double value = median(state_.recent_in3_per_psi);
     if (!agree(state_.recent_in3_per_psi, value, step, settings.settled_within))
         return;
-    // The excitation may fall below the gate's limit for a moment. So a value that settles soon after the last settled
-    // value belongs to the same transient, and replaces the last value.
+    // The pressure may change too slowly for a moment, which ends a transient. Therefore a value that settles soon
+    // after the last settled value belongs to the same transient, and replaces the last value.
     double since_s = time_s - state_.settled_time_s;
     bool same = !state_.settled_in3_per_psi.empty() && since_s >= 0 && since_s < transients_apart_s;
     if (state_.settled || same)

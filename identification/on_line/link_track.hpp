@@ -11,8 +11,8 @@
 
 namespace placedpar::identification {
 
-/// Keeps the last samples of one link, each the mean of some readings, and computes their slopes. A line through 5
-/// samples gives the slope at the middle sample, so centre() is 2 samples old.
+/// Keeps the last samples of one link, and computes how fast pressure and angle change. A sample is the mean of some
+/// readings. The slope of a line fitted to 5 samples belongs to the middle sample, so centre() is 2 samples old.
 class LinkTrack {
 public:
     /// The sums of the readings of a sample that is not complete yet.
@@ -29,7 +29,7 @@ public:
     /// Each list holds the last samples, oldest first.
     struct State {
         std::vector<double> inlet_psi, angle_deg, inlet_in2, bypass_in2;
-        /// The actual and the desired spool position, if computed from the voltage.
+        /// The actual and the desired spool position, if they are computed from the voltage.
         std::optional<double> spool_in, desired_in;
         Sums sums;
 
@@ -42,26 +42,28 @@ public:
     friend bool operator==(const LinkTrack&, const LinkTrack&) = default;
 
     /// Adds a reading. `elapsed_s` is the time since the previous reading, above 0. If this time is unknown, a spool
-    /// computed from its voltage is assumed to be at rest.
+    /// whose position is computed from the voltage is assumed to be at rest.
     void read(const Reading& reading, const hydraulics::LinkConstants& constants, std::optional<double> elapsed_s);
-    /// Makes a sample, the mean of the readings since the last sample. Areas and spool positions are not mixed; the
-    /// sample uses the kind that was read last. REQUIRES: there is a reading.
+    /// Makes a sample, the mean of the readings since the last sample. If some readings have areas and others spool
+    /// positions, the sample has the kind that was read last. REQUIRES: there is a reading.
     void finish_sample();
-    /// Forgets the readings but not the computed spool, which continues to move over a gap or a change of circuit.
+    /// Forgets the readings. Keeps the spool position computed from voltages, because the spool moves on during a gap
+    /// or a change of the circuit.
     void restart();
 
-    /// Returns the middle one of the last 5 samples, with its slopes; nullopt while there are fewer.
+    /// Returns the middle sample of the last 5, with its rates of change; nullopt while there are fewer samples.
     std::optional<hydraulics::LinkSample> centre(const hydraulics::CentredLineFit& fit,
                                                  const hydraulics::LinkConstants& constants) const;
 
-    /// The newest sample. `piston_in3` is measured from angle 0.
+    /// The newest sample. `piston_in3` is the volume behind the piston, counted from angle 0.
     struct Newest {
         double inlet_psi, inlet_in2, bypass_in2, piston_in3;
     };
     /// REQUIRES: finish_sample() has been called since the last restart().
     Newest newest(const hydraulics::LinkConstants& constants) const;
 
-    /// Returns whether the middle one of the last 5 samples stands out from the others; false while there are fewer.
+    /// Returns whether the middle sample of the last 5 stands out from the others, as only a faulty reading does; false
+    /// while there are fewer samples.
     bool spikes(double period_s) const;
 
 private:

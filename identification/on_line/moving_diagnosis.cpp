@@ -22,10 +22,10 @@ RecognisedMachine recognised(const ExcavatorParameters& parameters) {
     return machine;
 }
 
-/// Returns the likelihood of a deviation, if the true deviation is `truth`. All are in standard errors.
+/// Returns the likelihood of the deviation `found`, if the true deviation is `truth`. Both are in standard errors.
 double likelihood(double found, double truth) { return std::exp(-(found - truth) * (found - truth) / 2); }
 
-/// Returns a deviation of the compliance alone.
+/// Returns a deviation in which only the compliance differs from a healthy link's.
 Deviation of_compliance(double units, double standard_error) {
     Deviation deviation;
     const std::size_t i = index_of(FaultHypothesis::compliance);
@@ -34,7 +34,7 @@ Deviation of_compliance(double units, double standard_error) {
     return deviation;
 }
 
-/// Returns the estimates as the answer of a search.
+/// Returns the estimates of a set of links in the form of a search's answer.
 SetAnswer answer_of(LinkSet set, const std::vector<LinkEstimate>& estimates) {
     SetAnswer answer{set, "", 0, 0, {}};
     for (std::size_t i = 0; i < estimates.size(); ++i) {

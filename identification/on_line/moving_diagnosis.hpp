@@ -14,23 +14,26 @@
 
 namespace placedpar::identification {
 
-/// Diagnoses an excavator on line whose configuration is recognised from its readings, as MovingSearch does. A link is
-/// judged by cross-checks 1 and 2 of thesis 3.3, whenever a set that contains it has made a round of generations.
+/// Diagnoses a working excavator that does not report the configuration of its main valve. A MovingSearch recognises
+/// the configuration from the readings, and searches the compliances of each set of links that share oil. After each
+/// round of generations of a set, its links are judged by cross-checks 1 and 2 of thesis 3.3. Compliances of one link
+/// from different sets must agree. If all links that one pump feeds have the same fault, the fault is in a part that
+/// they share.
 class MovingDiagnosis {
 public:
-    /// Number of samples that a set keeps. With fewer, the answers are less certain; with more, a fault is seen later,
-    /// and a round takes longer.
+    /// The number of samples that the search of a set keeps. With fewer samples the answers are less certain. With more
+    /// samples a fault is found later, and a round takes longer.
     static constexpr std::size_t most_samples = 64;
 
-    /// A link is judged after this number of rounds of the sets that contain it (our choice): in the first round, the
-    /// readings of a single stretch decide.
+    /// A link is judged after this number of rounds of the sets that contain it. After the first round alone, the
+    /// readings of a single movement would decide.
     static constexpr std::size_t fewest_rounds = 2;
-    /// The least change of a compliance that is a fault, relative to a healthy link and in standard errors (our
-    /// choice).
+    /// A changed compliance is a fault if the change is at least this share of the healthy compliance and this number
+    /// of standard errors.
     static constexpr double least_share = WayUnits::compliance_share, least_errors = 3;
 
-    /// The method is made for samples 20 ms apart. Returns whether it also works with samples `period_s` apart: from
-    /// .018 to .025 s (found by trying).
+    /// Returns whether the recognition of configurations works with samples `period_s` apart. It is made for 20 ms;
+    /// trials show that it works from 0.018 to 0.025 s.
     static bool suits(double period_s) { return period_s >= 0.018 - 1e-9 && period_s <= 0.025 + 1e-9; }
 
     /// `period_s` is the time between samples. REQUIRES: suits(period_s). `name` is the name of the excavator, and part
@@ -39,24 +42,24 @@ public:
                     const std::string& name);
 
     MovingDiagnosisState state() const;
-    /// Continues from a state. REQUIRES: the state of an object with the same arguments.
+    /// Continues from a saved state. REQUIRES: the state is of an object that was constructed with the same arguments.
     void go_on_from(MovingDiagnosisState state);
 
     /// Takes the next sample, and returns the number of generations made.
     std::size_t take(const hydraulics::ValveReading& sample, double time_s);
     /// Forgets the last samples after a gap, but keeps estimates and populations.
     void restart();
-    /// Records an impossible reading, and forgets the last samples, which may contain it.
+    /// Records an impossible reading of the link, and forgets the last samples, because they may contain the reading.
     void note_impossible(hydraulics::Link link);
 
     hydraulics::Configuration configuration() const { return search_.configuration(); }
     /// Returns the links into which oil flowed at the last sample.
     hydraulics::LinkSet driven() const;
-    /// Returns the estimates of the set; nullopt if its search has not made a round.
+    /// Returns the estimates of the set; nullopt before the set's first round of generations.
     std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
-    /// Returns the verdict on the link: sound, a changed compliance, impossible readings, not enough evidence (fewer
-    /// than `fewest_rounds` rounds), or `cannot_tell` (the sets disagree, or the answer is uncertain or not confirmed
-    /// by least squares).
+    /// Returns the verdict on the link: sound, a changed compliance, or impossible readings. With fewer than
+    /// `fewest_rounds` rounds the verdict is `not_enough_evidence`. If the sets disagree, or if the compliance is
+    /// uncertain or least squares does not confirm it, the verdict is `cannot_tell`.
     LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const;
 
 private:
@@ -68,7 +71,7 @@ private:
     MovingSearch search_;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates_;
     hydraulics::PerLink<std::optional<std::size_t>> impossible_{}; ///< as in MovingDiagnosisState
-    std::vector<LinkIdentified> combined_;                         ///< combines the estimates of all sets
+    std::vector<LinkIdentified> combined_; ///< the combined estimates of all sets, one for each link
 };
 
 } // namespace placedpar::identification

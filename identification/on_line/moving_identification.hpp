@@ -9,19 +9,21 @@
 
 namespace placedpar::identification {
 
-/// Returns whether configurations can be recognised from a record: all links have inlet pressure, angle and areas.
+/// Returns whether the main valve's configurations can be recognised from a record: all links must have inlet pressure,
+/// angle and orifice areas.
 bool recognisable(const hydraulics::ChannelSet& there);
 
-/// Counts how often the recognised configuration agreed with the column of configurations in the record.
+/// Counts how often the recognised configuration was right, if the record has a column of true configurations.
 struct Recognition {
     std::array<std::size_t, hydraulics::all_configurations.size()>
         samples{}; ///< number of samples of each recognised configuration
     std::size_t judged = 0, right = 0;
-    std::size_t changes = 0, soon = 0; ///< changes of configuration, and the changes that were recognised within two
-                                       ///< samples
+    /// The numbers of changes of configuration, and of those that were recognised within two samples.
+    std::size_t changes = 0, soon = 0;
 };
 
-/// Identifies the compliances of a machine that moves from its record (moving_search.hpp).
+/// Identifies compliances from the record of a working machine whose configurations change. Recognises the
+/// configurations from the readings (moving_search.hpp).
 class MovingIdentification {
 public:
     MovingIdentification(const hydraulics::Parameters& machine, MovingSearch::WayFor way, std::uint64_t seed);
@@ -46,15 +48,17 @@ private:
     std::size_t readings_ = 0;
     Recognition recognition_;
     char truth_ = '-';              ///< configuration of the last sample, as stated in the record's column
-    std::size_t awaited_until_ = 0; ///< if the change is recognised by this reading, it counts in Recognition::soon
+    std::size_t awaited_until_ = 0; ///< a change that is recognised up to this reading counts in Recognition::soon
 };
 
-/// Returns the answer for each link: the mean over its sets, weighted by their errors. A link is flagged if its sets
-/// disagree (cross-check 1 of thesis 3.3) or if the mean is uncertain. Links without an answer of any set are left out.
+/// Returns the compliance of each link: the mean of the answers of all sets that contain the link, weighted by their
+/// errors. Flags a link if its sets disagree (cross-check 1 of thesis 3.3) or if the mean is uncertain. Leaves out
+/// links without an answer.
 std::vector<LinkIdentified> combined_links(const std::vector<SetAnswer>& sets);
 
-/// Returns the text of cross-check 2 (thesis 3.3), one line for each fault. A fault is in a link whose compliance is
-/// wrong in all sets, or in a part that both links of a branch share.
+/// Returns a text that says where the faults are, one line for each fault (cross-check 2 of thesis 3.3). If one link's
+/// compliance is wrong in all sets, the fault is in this link. If both links that one pump feeds have wrong
+/// compliances, the fault is in a part that they share.
 std::string locate_faults(const std::vector<LinkIdentified>& links, const hydraulics::PerLink<double>& healthy);
 
 } // namespace placedpar::identification

@@ -69,14 +69,15 @@ void MovingSearch::restart() {
     state_.pending.clear();
 }
 
-/// Adds the samples that can no longer prove to be of a different configuration.
+/// Passes each waiting sample to the search of its set, as soon as the sample's configuration can no longer be
+/// corrected.
 void MovingSearch::release(std::vector<PendingSample>& pending) {
     for (; !pending.empty() && pending.front().sample.index + ConfigurationWatch::reach <= state_.readings;
          pending.erase(pending.begin()))
         search_of(pending.front().set).add(state_.configuration, std::move(pending.front().sample));
 }
 
-/// Makes a round for each set in use that is not one of `sets`.
+/// Makes a round of generations for each set in use that is not one of `sets`.
 std::vector<LinkSet> MovingSearch::end_stretches(const std::vector<LinkSet>& sets) {
     std::vector<LinkSet> made;
     for (LinkSet set : state_.in_use)

@@ -9,7 +9,7 @@
 
 namespace placedpar::identification {
 
-/// The constants by which the configurations of a machine are recognised.
+/// The constants of a machine from which the configurations of its main valve are recognised.
 struct RecognisedMachine {
     hydraulics::MainValve valve;
     hydraulics::CrossOverLimits limits;
@@ -18,10 +18,11 @@ struct RecognisedMachine {
     static RecognisedMachine of(const hydraulics::Parameters&);
 };
 
-/// Searches for the compliances of a machine that moves (thesis 3.3), one reading after the other. Recognises the
-/// configuration of each reading and the links into which oil flows, and searches with the population set of these
-/// links (Figure 3.13). Whenever the configuration or the links change, the search of each set that was in use until
-/// then makes a round of generations (SetSearch::round()).
+/// Searches for the compliances of a machine that works and changes its configuration (thesis 3.3). Takes one reading
+/// after the other. For each reading, recognises the main valve's configuration and the links into which oil flows.
+/// Samples of these links go to the search of their population set: the set of links that share oil, with a population
+/// of its own (Figure 3.13). When the configuration or the links change, each set in use until then makes a round of
+/// generations (SetSearch::round()).
 class MovingSearch {
 public:
     /// Returns the settings of a search for this number of links.
@@ -32,10 +33,11 @@ public:
                  std::size_t most_samples);
 
     MovingSearchState state() const;
-    /// Continues from a state. REQUIRES: the state of an object with the same arguments.
+    /// Continues from a saved state. REQUIRES: the state is of an object that was constructed with the same arguments.
     void go_on_from(MovingSearchState);
 
-    /// Takes the next reading, one period after the last. Returns the sets whose search has made a round.
+    /// Takes the next reading, one period after the last reading. Returns the sets whose searches made a round of
+    /// generations.
     std::vector<hydraulics::LinkSet> take(const hydraulics::ValveReading&, double time_s);
     /// Forgets the last readings after a gap, but keeps all samples and populations.
     void restart();
@@ -47,8 +49,8 @@ public:
     const std::vector<hydraulics::LinkSet>& in_use() const { return state_.in_use; }
     /// Returns the searches of all sets ever used.
     const std::map<hydraulics::LinkSet, SetSearch>& searches() const { return searches_; }
-    /// Makes the rounds that are still missing. Returns the answers of all sets with enough samples, in the order of
-    /// Figure 3.13.
+    /// Makes the rounds of generations that are still missing at the end of the readings. Returns the answers of all
+    /// sets with enough samples, in the order of Figure 3.13.
     std::vector<SetAnswer> answers();
 
 private:

@@ -14,13 +14,15 @@
 
 namespace placedpar::identification {
 
-/// These types hold what is needed to restore the diagnosis of a machine that moves.
+/// These types hold what is needed to restore the diagnosis of a working machine, for example after a restart of the
+/// program.
 
-/// The samples that a SetSearch took in one configuration.
+/// The samples that a SetSearch, the search for the compliances of one set of links, took in one configuration of the
+/// main valve.
 struct ConfigurationSamples {
     hydraulics::Configuration configuration;
     std::vector<hydraulics::CircuitSample> samples; ///< oldest first; links in the order of the circuit
-    /// FlowWeights::rows from the last round.
+    /// The weights of the junctions' flows from the last round of generations (FlowWeights::rows).
     std::optional<hydraulics::PerJunction<hydraulics::PerJunction<double>>> weights;
 
     friend bool operator==(const ConfigurationSamples&, const ConfigurationSamples&) = default;
@@ -30,14 +32,15 @@ struct ConfigurationSamples {
 struct SetSearchState {
     std::vector<Genome> population; ///< the elite first
     std::uint64_t generations = 0;
-    std::uint64_t drawn = 0;                          ///< numbers drawn from the random stream
-    std::size_t rounds = 0, fresh = 0;                ///< fresh: samples since the last round
+    std::uint64_t drawn = 0;           ///< numbers drawn from the random stream
+    std::size_t rounds = 0, fresh = 0; ///< `rounds` of generations made, and `fresh` samples since the last round
     std::vector<ConfigurationSamples> configurations; ///< ordered by configuration
 
     friend bool operator==(const SetSearchState&, const SetSearchState&) = default;
 };
 
-/// A sample that waits, because its last readings may still prove to be of a different configuration.
+/// A sample that waits a few readings before the search uses it. The configuration may have changed during its last
+/// readings, and the program recognises such a change only some readings later.
 struct PendingSample {
     hydraulics::LinkSet set;
     hydraulics::CircuitSample sample;
@@ -45,7 +48,7 @@ struct PendingSample {
     friend bool operator==(const PendingSample&, const PendingSample&) = default;
 };
 
-/// The state of a MovingSearch.
+/// The state of a MovingSearch, which recognises configurations and passes samples to the searches of all sets.
 struct MovingSearchState {
     hydraulics::ConfigurationWatch::State watch;
     std::size_t readings = 0;
@@ -59,7 +62,7 @@ struct MovingSearchState {
     friend bool operator==(const MovingSearchState&, const MovingSearchState&) = default;
 };
 
-/// The state of a MovingDiagnosis.
+/// The state of a MovingDiagnosis, which judges the links by the answers of a MovingSearch.
 struct MovingDiagnosisState {
     MovingSearchState search;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates; ///< in the order of links_of()

@@ -17,22 +17,22 @@ struct Individual; // gaprocs/policies/individual.hpp
 
 namespace placedpar::identification {
 
-/// One of the sets of links in Figure 3.13 of the thesis (population_sets.hpp), with the population that searches the
-/// compliances of these links together, and with an estimate for each link. Population and estimates survive changes of
-/// configuration.
+/// The search for the compliances of one set of links that share oil (Figure 3.13 of the thesis). It has a population
+/// that searches the compliances of these links together, and an estimate for each link. Population and estimates
+/// survive changes of the main valve's configuration.
 ///
 /// The random numbers depend on the seed, the names of excavator and set, and the number of samples seen. The results
-/// are therefore a function of the set's own samples; other sets and a restart of the program do not change them.
+/// therefore depend only on the set's own samples. Other sets, or a restart of the program, do not change them.
 class PopulationSet {
 public:
     /// Holds everything that is needed to restore the object.
     struct State {
         std::vector<Genome> population; ///< the elite first
         std::vector<SetSample> window;  ///< oldest first
-        std::size_t to_skip = 0;        ///< number of usable samples still to be skipped
+        std::size_t to_skip = 0;        ///< number of usable samples that are still to be left out
         std::uint64_t samples = 0;      ///< number of samples seen, usable or not
         std::uint64_t generations = 0;
-        std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of()
+        std::vector<LinkEstimate> estimates; ///< one for each link, in the order of links_of() (population_sets.hpp)
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -45,9 +45,9 @@ public:
     hydraulics::LinkSet links() const { return links_; }
     const State& state() const { return state_; }
 
-    /// Adds the newest sample to the window. If the window is long enough, and the gate (excitation_gate.hpp) is open
-    /// for at least one link, makes `search.window.trials` generations. Returns the number of generations made.
-    /// REQUIRES: the problem has the links of this set.
+    /// Adds the newest sample to the window, the samples over which strings are evaluated. If the window is full and
+    /// the pressure of at least one link changes fast enough (excitation_gate.hpp), makes `search.window.trials`
+    /// generations. Returns the number of generations made. REQUIRES: the problem has the links of this set.
     std::size_t take(const SetProblem& problem, const SetSample& sample, double time_s);
 
     /// Empties the window after a change of configuration or a gap in the samples, because earlier samples do not
@@ -57,8 +57,9 @@ public:
 private:
     void push(const SetSample& sample);
     void evolve(const SetProblem& problem, double time_s);
-    /// Gives the bits of each link whose gate is shut the values that they had in `former`, the population before the
-    /// newest generations. These generations have changed the bits at random.
+    /// Restores the bits of each link whose pressure changes too slowly (excitation_gate.hpp) from `former`, the
+    /// population before the newest generations. The samples say nothing about these links, so the generations changed
+    /// their bits at random.
     void keep_frozen_columns(const std::vector<Genome>& former);
     void add_errors(const SetProblem& problem);
     void record(const SetProblem& problem, const Individual& best, double time_s);

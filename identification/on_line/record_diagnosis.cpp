@@ -30,7 +30,8 @@ WholeMovement whole_movement(const Deviation& deviation, double health_in3_per_p
     return {deviation, units, health_in3_per_psi + units.compliance_in3_per_psi * deviation.by[0]};
 }
 
-/// Compares the estimate with the whole movement, since a search for several compliances can settle on a wrong string.
+/// Compares the estimate with the least-squares fit to the whole movement, since a search for several compliances can
+/// settle on a wrong string.
 void confirm(LinkFinding& link, std::size_t links) {
     if (!link.compliance_in3_per_psi || !link.whole)
         return;
@@ -41,8 +42,8 @@ void confirm(LinkFinding& link, std::size_t links) {
         link.flags.push_back({flag->kind, flag->text + (links > 2 ? "; try --way whole" : "")});
 }
 
-/// Flags a link whose movement shows either a leak or an offset but does not distinguish them. A link whose areas are
-/// measured has no offset.
+/// Flags a link whose movement shows either a leak or an offset but does not distinguish them. If the areas are
+/// measured directly, the link has no offset.
 void note_leak_or_offset(LinkFinding& link) {
     constexpr double errors = 3;
     if (!link.whole || link.whole->deviation.by[index_of(FaultHypothesis::offset)] == 0)

@@ -12,19 +12,21 @@
 
 namespace placedpar::identification {
 
-/// The result of a least-squares fit to a whole movement, including the times at which the link rests, for one link.
-/// Verdicts use such results.
+/// The result of a least-squares fit to a whole movement, including the rest before and after it, for one link. The
+/// verdict on the link follows from such results.
 struct WholeMovement {
     Deviation deviation; ///< deviation from a healthy link, which has the healthy compliance, no leak and no offset
     WayUnits units;
     double compliance_in3_per_psi;
 };
 
-/// The result of a movement for one link: the settled estimate, or the last estimate if none has settled.
+/// The result of a movement for one link: the settled estimate, in which many generations agree, or the last estimate
+/// if none has settled.
 struct LinkFinding {
     hydraulics::Link link;
-    std::optional<double> compliance_in3_per_psi; ///< nullopt: the pressure never changed enough
-    double standard_error_in3_per_psi = 0;        ///< standard error of least squares on the window of the estimate
+    /// The compliance is nullopt if the pressure never changed fast enough to determine it.
+    std::optional<double> compliance_in3_per_psi;
+    double standard_error_in3_per_psi = 0; ///< by least squares over the samples of the estimate
     /// The least and the greatest compliance of the last generations' best individuals.
     std::pair<double, double> spread_in3_per_psi;
     std::vector<Flag> flags;                 ///< empty if nothing is unusual
@@ -39,17 +41,18 @@ struct MovementFinding {
     std::vector<LinkFinding> links;
 };
 
-/// Diagnoses a record as the service diagnoses a working machine. From equal samples, seed and name, this class and the
-/// service compute equal estimates and verdicts, bit by bit. A record of any length may be given in pieces.
+/// Diagnoses a record as the monitor, a service that runs all the time, diagnoses a working machine. From equal
+/// samples, seed and name, this class and the monitor compute equal estimates and verdicts, bit by bit. A long record
+/// may come in pieces.
 class RecordDiagnosis {
 public:
     RecordDiagnosis(Diagnosis diagnosis, const DiagnosisSettings& settings,
                     const hydraulics::PerLink<LinkReader>& readers)
         : diagnosis_(std::move(diagnosis)), settings_(settings), readers_(readers) {}
 
-    /// Processes the next piece of the record and returns the movements that end in it. REQUIRES: the configuration has
-    /// been set, and the piece has the readings of the active links. Throws RefusedSample if the piece is not later
-    /// than the previous piece.
+    /// Processes the next piece of the record and returns the movements that end in it. REQUIRES: the diagnosis has a
+    /// configuration, and the piece has the readings of the active links. Throws RefusedSample if the piece is not
+    /// later than the previous piece.
     std::vector<MovementFinding> take(const hydraulics::Record& piece);
     /// Ends the record and returns the movements that were still going on.
     std::vector<MovementFinding> end();

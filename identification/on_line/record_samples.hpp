@@ -8,7 +8,7 @@
 
 namespace placedpar::identification {
 
-/// States how a link's channels in a record become the Reading that a control system would report.
+/// States how to make from a link's channels in a record the Reading that a control system would report.
 struct LinkReader {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
     double spool_offset_in = 0; ///< amount by which the spool reads too high

@@ -7,10 +7,10 @@
 
 namespace placedpar::identification {
 
-/// These types are the reasons why a sample is refused.
+/// These types are the reasons why the on-line diagnosis refuses a sample of an excavator.
 struct NoConfiguration {}; ///< no configuration has been set yet
 struct LinkNotRead {
-    hydraulics::Link link; ///< active, but without a reading
+    hydraulics::Link link; ///< an active link without a reading
 };
 struct TimeNotLater {
     double time_s;      ///< time of the sample

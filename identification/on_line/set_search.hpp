@@ -22,9 +22,9 @@ struct SetAnswer {
     std::vector<LinkIdentified> links; ///< in the order of links_of()
 };
 
-/// The search for the compliances of one set of links over all samples in which they move together, from all
-/// configurations of the main valve. The population is kept from one round to the next. Rounds and weights work as in
-/// whole_search.hpp.
+/// The search for the compliances of one set of links, over all samples in which these links move together, in any
+/// configuration of the main valve. The search goes in rounds: a number of generations, after which the weights of the
+/// junctions' flows are computed anew (whole_search.hpp). The population is kept from one round to the next.
 class SetSearch {
 public:
     static constexpr std::size_t fewest_samples = 10; ///< a set with fewer samples is not searched
@@ -34,7 +34,7 @@ public:
               std::size_t most_samples);
 
     SetSearchState state() const;
-    /// Continues from a state. REQUIRES: the state of an object with the same settings and random stream.
+    /// Continues from a saved state. REQUIRES: the state is of an object with the same settings and random stream.
     void go_on_from(SetSearchState);
 
     /// Adds a sample taken in this configuration. The links in `sample` are in the order of its circuit.
@@ -47,7 +47,7 @@ public:
     std::size_t samples() const; ///< number of samples kept
     /// Returns the index of the newest sample. REQUIRES: there is a sample.
     std::size_t newest_index() const;
-    /// Returns the answer of the rounds made so far. REQUIRES: a round has been made.
+    /// Returns the answer of the rounds so far. REQUIRES: a round has been made.
     SetAnswer answer_so_far() const;
     /// Makes the rounds that are still missing and returns the answer, or nullopt if there are too few samples.
     std::optional<SetAnswer> answer();
@@ -76,8 +76,8 @@ private:
     std::size_t rounds_ = 0, fresh_ = 0; ///< as in SetSearchState
 };
 
-/// The interpolation between readings can change a compliance by up to this share. Standard errors do not include this
-/// change.
+/// The equations interpolate between readings, which can change a compliance by up to this share. Standard errors do
+/// not include this change.
 inline constexpr double model_share = 0.02;
 
 /// Returns the mean of independent results, weighted by their standard errors and model_share.

@@ -11,10 +11,11 @@ using namespace hydraulics;
 
 namespace {
 
-/// If a piston retracts faster than this on average while oil flows in, the angle has the wrong sign (our choice).
+/// If a piston on average pushes out more oil than this while oil should flow in, the angle's reading has the wrong
+/// sign (our choice).
 constexpr double least_inflow_in3_per_s = 1;
 
-/// If more oil than this flows into the cylinder and its hose, the oil drives the piston (our choice).
+/// If more oil than this flows into the cylinder and its hose, the oil moves the piston, and not the load (our choice).
 constexpr double driven_in3_per_s = 10;
 /// A boom that swings after its valve has shut swings back within this time.
 constexpr double longest_swing_s = 0.5;
@@ -38,7 +39,8 @@ bool impossible(const Deviation& found, AreasFrom valve) {
             offset - errors * deviation.standard_error(FaultHypothesis::offset) > furthest_offset);
 }
 
-/// Returns whether a reading is constant all through a movement, or a piston retracts while oil flows in.
+/// Returns whether the readings of a movement make no sense: a reading never changes, or a piston retracts while oil
+/// flows in.
 bool senseless(const MovementSamples& movement, std::size_t junction) {
     bool frozen = true;
     double flow_in3_per_s = 0;

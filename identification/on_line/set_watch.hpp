@@ -11,16 +11,18 @@
 
 namespace placedpar::identification {
 
-/// Checks the links of a population set (population_sets.hpp) for faults, movement by movement.
+/// Checks a set of links that move together for faults. Cuts the samples into movements, and judges each link after
+/// each movement.
 class SetWatch {
 public:
-    /// Holds everything that is needed to restore the object. Links are in the order of links_of(set).
+    /// Holds everything that is needed to restore the object. Links are in the order of links_of()
+    /// (population_sets.hpp).
     struct State {
         Movement::State movement;
         std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas
         std::vector<LinkJudge::State> judges;
-        std::vector<std::size_t> moving_shut; ///< number of successive samples, up to the newest, in which the valve is
-                                              ///< shut but oil flows in
+        std::vector<std::size_t> moving_shut; ///< number of successive samples, up to the newest, in which oil flows in
+                                              ///< although the valve reads shut
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -38,9 +40,9 @@ public:
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
     /// Records an impossible reading for each link whose piston has moved for half a second while the valve reads shut.
-    /// Returns whether there is such a link. Must be called before take(), with the same sample.
+    /// Returns whether a link has such a reading. Call this function before take(), with the same sample.
     bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
-    /// Judges an unfinished movement after a gap in the samples or a change of configuration.
+    /// Ends and judges the present movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);
     /// Records an impossible reading of the link at `position`.
     void note_impossible(std::size_t position);

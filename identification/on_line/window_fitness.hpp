@@ -10,9 +10,9 @@
 
 namespace placedpar::identification {
 
-/// Computes the fitness of the strings of several generations over one window. Strings of at most `most_bits` bits (as
-/// in the sets of one link) are evaluated only once: a converging population has many equal strings, most of them from
-/// earlier generations.
+/// Computes the fitness of the strings of several generations over one window of samples. Remembers the fitness of
+/// strings of at most `most_bits` bits, as in a search for one link's compliance. This saves time, because a converging
+/// population has many equal strings.
 class WindowFitness {
 public:
     /// REQUIRES: the problem outlives this object.

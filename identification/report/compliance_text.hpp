@@ -12,8 +12,8 @@
 
 namespace placedpar {
 
-/// Returns a compliance and its standard error in in^3/psi and in m^3/Pa: "C_BOi     0.00850    0.00004  2.019e-11
-/// 8.7e-14".
+/// Returns a line of text with a compliance and its standard error, first in in^3/psi and then in m^3/Pa: "C_BOi
+/// 0.00850 0.00004 2.019e-11 8.7e-14".
 std::string print_compliance(std::string_view name, double compliance_in3_per_psi, double standard_error_in3_per_psi);
 /// Returns the heading of the columns of print_compliance().
 std::string compliance_heading();

@@ -16,7 +16,7 @@ using namespace identification;
 
 namespace {
 
-/// Blanks in place of the times, for lines that do not begin a movement.
+/// Blanks in the columns of the times, for all lines of a movement but its first.
 constexpr std::string_view no_times = "                       ";
 
 std::string print_finding(const LinkFinding& link) {

@@ -10,7 +10,7 @@
 namespace placedpar {
 
 /// Returns text for people: for each link a line with its compliance, its standard error, and the best of all strings
-/// for comparison; then the flags.
+/// for comparison. The flags follow, the reasons why a compliance may be wrong.
 std::string print_identified(const identification::Identified& identified,
                              const identification::ComplianceSearch& prepared,
                              const identification::IdentificationWay& way);

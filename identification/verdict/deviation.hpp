@@ -7,7 +7,8 @@ namespace placedpar::identification {
 /// Returns whether the matrix has an inverse: it must be symmetric, finite and positive definite.
 bool has_inverse(const PerPairOfHypotheses&);
 
-/// The size of each deviation that counts as one unit: the size that a verdict should detect (our choice).
+/// The size of each kind of deviation that counts as one unit. A verdict should detect a deviation of one unit. The
+/// sizes are this project's choice.
 struct WayUnits {
     double compliance_in3_per_psi;      ///< 20 % of the link's compliance
     double leak_in3_per_s_psi = 0.0014; ///< a leak of 5 % of the steady flow of 50 in^3/s, at 1750 psi
@@ -18,24 +19,23 @@ struct WayUnits {
     static WayUnits of(double compliance_in3_per_psi) { return {compliance_share * compliance_in3_per_psi}; }
 };
 
-/// The error of the equations varies from movement to movement, however long the movements are. These constants are the
-/// standard deviations of this error, in the units of WayUnits: `offset_repeats_within` for offsets, `repeats_within`
-/// for all other deviations. We chose both values. The value for offsets is tuned on the machines of seeds 4001 to
-/// 5040, so that leaks that begin with a movement are found.
+/// The equations are not exact. Therefore the deviations found in the movements of an unchanged link scatter, however
+/// long the movements are. These constants are the standard deviations of this scatter, in the units of WayUnits:
+/// `offset_repeats_within` for offsets, `repeats_within` for all other deviations. Both values are this project's
+/// choice. The value for offsets is tuned on simulated machines, so that leaks that begin with a movement are found.
 inline constexpr double repeats_within = 0.15, offset_repeats_within = 0.1375;
 
-/// The deviations of a link in units of WayUnits, from one movement or several.
+/// How far a link deviates from a healthy link, in units of WayUnits, as found from one movement or several.
 struct Deviation {
     PerHypothesis by{};
     PerPairOfHypotheses covariance{};
 
     double standard_error(FaultHypothesis) const;
     /// Adds the variation between movements (`repeats_within`, `offset_repeats_within`) to the covariance, and returns
-    /// the inverse of the sum.
+    /// the inverse of the sum, the weight of this deviation in a mean.
     PerPairOfHypotheses information() const;
-    /// Returns the deviation under the assumption that the leak is equal before and during the movement. The rest
-    /// before the movement then distinguishes a leak from an offset. The flow during the movement hardly distinguishes
-    /// them.
+    /// Returns the deviation under the assumption that the leak is equal before and during the movement. Readings at
+    /// rest before the movement then distinguish a leak from an offset. Readings during the movement hardly do.
     Deviation with_steady_leak() const;
     friend bool operator==(const Deviation&, const Deviation&) = default;
 };

@@ -6,7 +6,7 @@
 namespace placedpar::identification {
 
 /// The ways in which a link can deviate from a healthy link. Each way causes a missing flow, that is, an error of the
-/// flow balance:
+/// flow balance. These flows distinguish the ways:
 ///
 /// - a wrong compliance: in proportion to the slope of the pressure;
 /// - a leak: in proportion to the pressure, even at rest after the valve has shut;

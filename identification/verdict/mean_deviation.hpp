@@ -6,7 +6,8 @@
 
 namespace placedpar::identification {
 
-/// Returns the mean of the deviations of several movements, weighted by information. REQUIRES: at least one movement.
+/// Returns the mean of the deviations of several movements, each weighted by its Deviation::information(). REQUIRES: at
+/// least one movement.
 Deviation mean_deviation(const std::vector<Deviation>& movements);
 
 } // namespace placedpar::identification

@@ -20,22 +20,23 @@ namespace {
 
 constexpr Eigen::Index ways = all_hypotheses.size();
 constexpr std::size_t fewest_at_rest = 4;
-/// The part of the missing flow's variance, in (in^3/s)^2 for each sample, that sensor noise does not explain. During
-/// the movement it comes from the error of the equations; at rest, from the steps of the converter and from friction.
+/// The part of the missing flow's variance, in (in^3/s)^2 for each sample, that sensor noise does not explain. The
+/// missing flow is the error of a junction's flow balance. During the movement this part comes from the error of the
+/// equations. At rest it comes from the steps of the analogue-to-digital converter and from friction.
 constexpr double least_variance_moving = 0.001, least_variance_at_rest = 0.05;
-/// The relative error of the estimated noise of the slopes. The estimate is a median over about 50 readings.
+/// The relative error of the estimated noise of the slopes, which is a median over about 50 readings.
 constexpr double noise_known_within = 0.3;
-/// The greatest difference between the compliances at rest and during the movement, in the units of WayUnits: 0.25
+/// The greatest difference between the compliances at rest and during the movement, in the units of WayUnits; 0.25
 /// units are 5 % of the compliance.
 constexpr double compliance_at_rest_within = 0.25;
 /// The share by which a leak at rest after a movement may be smaller than during the movement (our choice). The
-/// pressure behind the piston, which is not read, reduces the leak.
+/// pressure on the other side of the piston reduces the leak, and no sensor reads that pressure.
 constexpr double leak_after_within = 0.25;
-/// If only the flow during the movement distinguishes a leak from an offset, the leak has an error of about this many
-/// units of WayUnits (our choice), since the equations are not exact. Sound machines without noise or at 5 kHz appear
+/// The error of a leak, in the units of WayUnits (our choice), if only the flow during the movement distinguishes the
+/// leak from an offset. The equations are not exact: sound simulated machines without noise, or read at 5 kHz, appear
 /// to have a leak of -.4 to -2.8 units.
 constexpr double leak_by_flow_within = 1.25;
-/// The assumed standard deviation of each deviation before a movement is evaluated, in the units of WayUnits.
+/// The assumed standard deviation of each deviation before a movement is known, in the units of WayUnits.
 constexpr double prior_units = 10;
 
 Eigen::Index row_of(std::size_t junction) { return ways * static_cast<Eigen::Index>(junction); }
@@ -57,8 +58,8 @@ LinkSample with_spool_moved(LinkSample link, double moved_in) {
     return link;
 }
 
-/// Computes the imbalance of a sample's flows near the healthy state, one row per junction, and the derivatives of the
-/// imbalance.
+/// Computes the imbalance of flow at each junction, one row per junction, and its derivatives, if the links are
+/// healthy.
 class Balance {
 public:
     Balance(const Circuit& circuit, const FlowConstants& flow, std::span<const LinkInHealth> links)
@@ -139,7 +140,7 @@ ReadingNoise reading_noise(const MovementSamples& movement, std::size_t junction
             of([](const LinkSample& link) { return spool_in_of(link.inlet_in2); }, white_gain)};
 }
 
-/// Returns change(sample) for each moving sample as a column, with one row per junction.
+/// Returns a matrix with change(sample) as the column of each moving sample, and one row per junction.
 template <class Change>
 MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const Change& change) {
     MatrixXd columns(static_cast<Eigen::Index>(junctions), static_cast<Eigen::Index>(movement.moving.size()));
@@ -148,8 +149,8 @@ MatrixXd by_sample(const MovementSamples& movement, std::size_t junctions, const
     return columns;
 }
 
-/// The linear equations of a movement, with a row for each junction of each sample, and for each link the noise in the
-/// column of its compliance.
+/// The linear equations of a movement, with a row for each junction of each sample. For each link, also the noise in
+/// the column of its compliance.
 struct MovingRows {
     NoisyRows rows;
     std::vector<Sparse> compliance_noise;
@@ -169,8 +170,8 @@ void add_valve_noise(NoisyRows& rows, const Balance& balance, const MovementSamp
     }
 }
 
-/// Sets the columns of a link: the effect of one unit (WayUnits) of each hypothesis on the missing flows. A leak of k_l
-/// P past the piston acts as extra flow into the cylinder.
+/// Sets the columns of a link in the equations: how one unit (WayUnits) of each deviation changes the missing flows. A
+/// leak of k_l P past the piston acts as extra flow into the cylinder.
 void set_slopes(NoisyRows& rows, const Balance& balance, const MovementSamples& movement, std::size_t junction,
                 const MatrixXd& by_flow) {
     const WayUnits& unit = balance.unit(junction);
@@ -216,9 +217,9 @@ MovingRows moving_rows(const Balance& balance, const MovementSamples& movement,
     return moving;
 }
 
-/// Returns the equations of one link at rest. Its inlet is shut, so A v + C dP/dt + k_l P = 0, regardless of the
-/// spool's reading. Alone, these equations determine only the ratio of leak and compliance. Therefore the compliance at
-/// rest is assumed to equal the compliance during the movement, within compliance_at_rest_within.
+/// Returns the equations of one link at rest. Its inlet is shut, so A v + C dP/dt + k_l P = 0, whatever the spool's
+/// reading is. These equations alone determine only the ratio of leak and compliance. Therefore the compliance at rest
+/// is assumed to equal the compliance during the movement, within compliance_at_rest_within.
 NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples>& samples, std::size_t junction,
                        FaultHypothesis leak, const ReadingNoise& noise) {
     const Eigen::Index column = row_of(junction);
@@ -239,12 +240,12 @@ NoisyRows rows_at_rest(const Balance& balance, const std::vector<JunctionSamples
     return rows;
 }
 
-/// The normal equations of a movement.
+/// The normal equations of the least-squares fit to a movement.
 struct Equations {
     MatrixXd information; ///< includes the part that is noise
     VectorXd pull;
     VectorXd noise;     ///< the part of each unknown's information that is noise
-    VectorXd in_health; ///< for each unknown, the healthy value in the units of WayUnits; the noise acts on the sum of
+    VectorXd in_health; ///< for each unknown, the healthy value in the units of WayUnits, since noise biases the sum of
                         ///< healthy value and deviation
 };
 
@@ -255,7 +256,7 @@ Equations before_movement(Eigen::Index unknowns) {
 }
 
 /// Adds the samples during the movement. Also stores which part of the information comes only from the noise of the
-/// slopes: if this part were not removed later, the compliance would be too small (errors in variables).
+/// slopes. If solve() did not remove this part, the compliance would be too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -288,12 +289,12 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds the information about the leak that a rest gives if the compliance is known. A rest gives no information about
-/// the compliance itself, because the slopes at rest are mostly noise.
+/// Adds what the samples at rest say about the leak if the compliance is known. They say nothing about the compliance
+/// itself, because the slopes at rest are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);
-    if (known == 0) // without pressure a rest gives no information
+    if (known == 0) // without pressure, samples at rest say nothing about a leak
         return;
     VectorXd by = VectorXd::Zero(equations.pull.size());
     by[leak] = weights.pull()[leak] / known;

@@ -14,7 +14,8 @@ namespace {
 
 constexpr Eigen::Index reach = 2; ///< samples that a 5-point slope uses on either side
 
-/// The effects on one sample of the noise at five instants, from two samples before it to two after it.
+/// How the noise at five instants affects one sample. The instants are from two samples before this sample to two after
+/// it.
 using Taps = std::array<double, 2 * reach + 1>;
 
 Sparse noise_through(const Taps& taps, const MatrixXd& by) {
@@ -29,7 +30,8 @@ Sparse noise_through(const Taps& taps, const MatrixXd& by) {
     return columns;
 }
 
-/// The weight of the assumed variance in Weights::scale(): it counts as much as the residuals of this many rows.
+/// The weight of the assumed variance in Weights::scale(): the assumption counts as much as the residuals of this
+/// number of rows.
 constexpr double noise_worth_rows = 8;
 
 } // namespace

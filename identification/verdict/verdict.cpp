@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::string_view, 9> verdict_names{
     "sound", "compliance", "leak", "offset", "drift", "leak or offset", "sensor", "not enough evidence", "cannot tell"};
 
-/// The error that remains in a mean, even of very many movements, in the units of WayUnits; our choice.
+/// The standard error that remains in a mean over very many movements, in the units of WayUnits; our choice.
 constexpr double mean_repeats_within = 0.05;
 
 /// The standard deviation, in the units of WayUnits, by which healthy machines of one kind differ in each of the ways
@@ -26,8 +26,8 @@ constexpr double mean_repeats_within = 0.05;
 /// mean.
 constexpr double kind_within = 0.3;
 
-/// Returns how the deviations of healthy machines of one kind are distributed. A healthy link's small leak hardly
-/// changes when the valve opens.
+/// Returns the distribution of the deviations of healthy machines of one kind. The small leak of a healthy link hardly
+/// changes when the valve opens, so the leaks before and during a movement are correlated.
 Deviation kind_in_health() {
     constexpr double leak_in_common = 0.9;
     WayMatrix covariance = WayMatrix::Identity() * kind_within * kind_within;
@@ -36,7 +36,8 @@ Deviation kind_in_health() {
     return {{}, two_ways_of(covariance)};
 }
 
-/// Returns the information of a mean over movements. It stays limited, however many movements there are.
+/// Returns the information, the inverse of the covariance, of a mean over movements. The information has a limit, even
+/// for very many movements.
 WayMatrix information_of_mean(const Deviation& mean) {
     WayMatrix covariance = matrix_of(mean.covariance);
     covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;

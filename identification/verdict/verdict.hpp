@@ -13,7 +13,7 @@
 
 namespace placedpar::identification {
 
-/// The verdicts on a link.
+/// What the on-line diagnosis says about the health of one link of an excavator.
 enum class VerdictKind : unsigned char {
     sound,
     compliance,          ///< the compliance of hose, oil and cylinder is too great or too small
@@ -33,45 +33,50 @@ std::optional<VerdictKind> verdict_named(std::string_view);
 
 struct Verdict {
     VerdictKind kind = VerdictKind::not_enough_evidence;
-    /// The posterior probability of the verdict, with equal priors. For a fault, the alternatives are a sound link and
-    /// all_faults, each fault at its most likely size. For `sound` and `cannot_tell`, this is the probability of a
-    /// sound link, and the alternatives are the suspicions of SequentialTest, each of one unit.
+    /// The posterior probability, with equal priors. If the verdict is a fault, this is the probability of the fault;
+    /// the alternatives are a sound link and the other faults, each at its most likely size. If the verdict is `sound`
+    /// or `cannot_tell`, this is the probability of a sound link; the alternatives are SequentialTest::suspicions, each
+    /// of one unit.
     double probability = 0;
-    Deviation deviation;       ///< mean over the movements that count, relative to the link's reference
+    Deviation deviation;       ///< mean over the movements that count, measured from the link's healthy reference
     std::size_t movements = 0; ///< number of movements that count
 };
 
-/// The size of a fault and its standard error, in the units of WayUnits.
+/// The size of a fault and its standard error, in the units of WayUnits. One unit is a size that a verdict should
+/// detect, such as 20 % of the compliance.
 struct FaultSize {
     double by, standard_error;
 };
 
-/// Returns the size of the leak or the offset if this fault alone causes the mean deviation. For a leak, the more
-/// likely one of leak and new_leak is used. REQUIRES: `way` is leak or offset.
+/// Returns the size that the leak or the offset has if this fault alone causes the mean deviation. A leak may be there
+/// before the movement or begin with it (LinkFault::leak, new_leak); the more likely of the two is used. REQUIRES:
+/// `way` is leak or offset.
 FaultSize size_alone(FaultHypothesis way, const Deviation& mean);
 
-/// Returns "either a leak of ... or a spool ...", with both sizes and the readings that would distinguish the two.
+/// Returns "either a leak of ... or a spool ...", with both sizes and the readings that would distinguish leak and
+/// offset.
 std::string print_leak_or_offset(const Deviation& mean, const WayUnits& units);
 
-/// Returns the best explanation of a mean deviation: sound if no fault was reported (`raised` is false), otherwise one
-/// fault alone at its most likely size. A leak and an offset are distinguished only if one is at least nine times as
-/// likely as the other. `valve`, the source of the areas, decides whether an offset is called offset or drift.
+/// Returns the best explanation of a mean deviation. If no fault was reported (`raised` is false), the verdict is
+/// `sound`, otherwise one fault alone at its most likely size. If a leak or an offset is most likely, but neither is
+/// nine times as likely as the other, the verdict is `leak_or_offset`. An offset is called `drift` if `valve`, the
+/// source of the areas, is the voltage.
 Verdict verdict_of(const Deviation& mean, bool raised, hydraulics::AreasFrom valve);
 
 /// Judges one link, movement by movement. Compares the link with its own first movements, and with healthy machines of
-/// its kind. The second comparison finds faults that were there from the first day.
+/// its kind. The second comparison finds faults that the link had from the first day.
 class LinkJudge {
 public:
-    /// The number of movements whose weighted mean is the healthy reference of the link.
+    /// The weighted mean of this number of first movements is the healthy reference of the link.
     static constexpr std::size_t movements_of_baseline = 3;
-    /// The suspected deviation of a link from healthy machines of its kind, in the units of WayUnits. Healthy machines
-    /// deviate by up to one unit.
+    /// The deviation from healthy machines of its kind at which a link is suspected, in the units of WayUnits. Healthy
+    /// machines deviate by up to one unit.
     static constexpr double units_beyond_kind = 2;
-    /// The suspected deviation of the compliance, in the units of WayUnits, if the spool is computed from the voltage.
+    /// This limit replaces `units_beyond_kind` for the compliance if the spool's position is computed from the voltage.
     /// The valve's unknown dead time then makes the compliance half a unit too great.
     static constexpr double servo_units_beyond_kind = 3;
-    /// The greatest accepted standard error, in the units of WayUnits. Usual movements determine each deviation to a
-    /// unit or better; steady movements leave one deviation almost undetermined.
+    /// The greatest accepted standard error, in the units of WayUnits. Usual movements determine each deviation to
+    /// within one unit. Steady movements leave one deviation almost undetermined.
     static constexpr double most_uncertain = 2.5;
     /// The least probability of a sound link for the verdict `sound`. Below this limit, the suspected faults together
     /// are more likely than a sound link.
@@ -99,10 +104,10 @@ public:
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. Ignores a movement that had impossible readings or is not evidence.
     void take(const Deviation& movement, hydraulics::AreasFrom valve);
-    /// Records an impossible reading: the verdict is `sensor` until a movement has no impossible reading.
+    /// Records an impossible reading. The verdict is then `sensor` until a movement has no impossible reading.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }
-    /// Returns `sound` only if the probability of `sound` is at least `least_sure_sound`, and a fault only if the
-    /// fault's size exceeds its standard error.
+    /// Returns the verdict after all movements so far. The verdict is `sound` only if its probability is at least
+    /// `least_sure_sound`, and a fault only if the fault's size exceeds its standard error.
     Verdict verdict() const;
     /// Returns the reference of the link: the mean of its first movements, relative to its kind. Returns nullopt until
     /// there are enough movements.

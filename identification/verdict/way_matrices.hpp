@@ -6,8 +6,9 @@
 
 namespace placedpar::identification {
 
-/// These types let sources compute with PerHypothesis and PerPairOfHypotheses in Eigen. They are not aligned, so that
-/// copying them compiles to the same code with all compiler flags.
+/// These Eigen types are for computing with PerHypothesis and PerPairOfHypotheses, the values and the matrix of a
+/// link's possible faults. The types are not aligned, so that copying them compiles to the same code with all compiler
+/// flags.
 using WayVector = Eigen::Matrix<double, all_hypotheses.size(), 1, Eigen::DontAlign>;
 using WayMatrix = Eigen::Matrix<double, all_hypotheses.size(), all_hypotheses.size(), Eigen::DontAlign>;
 

@@ -11,18 +11,20 @@
 
 namespace placedpar::monitor {
 
-/// Keeps the active alarms of all machines and the time at which each was raised. Functions that change an alarm return
-/// the entry to be added to the history. Times are in seconds since 1970.
+/// Keeps the active alarms of all machines (excavators under diagnosis) and the time at which each alarm was raised.
+/// Functions that change an alarm return the entry that the caller adds to the history in the state file. Times are in
+/// seconds since 1970.
 class AlarmBoard {
 public:
-    /// Restores the active and the shelved alarms that the history holds.
+    /// Restores the active and the shelved alarms from the history after a restart. A shelved alarm is one of which the
+    /// operator does not want to hear for some time.
     void restore(std::vector<KeptAlarm> noted);
 
     Entry raise(const identification::Diagnosis& diagnosis, const identification::Alarm& alarm, double at);
     Entry clear(const std::string& machine, const identification::Alarm& alarm, double at);
     void forget(const std::string& machine);
-    /// Records that an operator has seen the alarm at time `at`. This function and shelve() return nullopt if the alarm
-    /// is not active.
+    /// Records that an operator has seen the alarm at time `at`. Returns nullopt if the alarm is not active, as
+    /// shelve() does.
     std::optional<Entry> acknowledge(const AlarmName& name, double at);
     std::optional<Entry> shelve(const AlarmName& name, double until, double at);
     /// Returns whether the alarm is shelved at time `at`.
@@ -37,7 +39,8 @@ private:
     std::optional<double> shelved_until(const KeptAlarm& alarm, double at) const;
 
     std::map<std::string, std::vector<KeptAlarm>> open_;
-    /// Copies made when the alarms were shelved; an alarm may have been cleared since.
+    /// Copies of the shelved alarms. An alarm stays shelved when it is cleared and raised again, so its copy stays
+    /// here.
     std::map<std::string, std::vector<KeptAlarm>> shelved_;
 };
 

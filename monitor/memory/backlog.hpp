@@ -7,8 +7,8 @@
 
 namespace placedpar::monitor {
 
-/// Counts the messages that are not yet part of a saved state. After a restart the service must process these messages
-/// again.
+/// Counts the messages of machines (excavators under diagnosis) that are not yet part of a saved state. After a restart
+/// the service must process these messages again. If they are too many, the service saves the states of some machines.
 class Backlog {
 public:
     /// REQUIRES: `number` is greater than in any earlier call.
@@ -32,7 +32,7 @@ private:
     };
 
     std::map<std::string, Share> shares_;
-    std::map<std::uint64_t, std::string> by_age_; ///< key: number of the machine's first counted message
+    std::map<std::uint64_t, std::string> by_age_; ///< key: number of the oldest counted message of the machine
     std::size_t bytes_ = 0;
     std::uint64_t generations_ = 0;
 };

@@ -12,7 +12,7 @@
 
 namespace placedpar::monitor {
 
-/// The diagnoses of all machines, by the machine's name.
+/// The on-line diagnoses of all machines (excavators), by the machine's name.
 class Diagnoses {
 public:
     Diagnoses(const identification::DiagnosisSettings& settings, std::uint64_t seed, std::size_t most)
@@ -24,9 +24,11 @@ public:
     /// REQUIRES: the machine is known.
     identification::Diagnosis& named(const std::string& machine) { return diagnoses_.at(machine); }
 
-    /// Returns the diagnosis of the machine that the hello names. The hello of a control system creates the diagnosis
-    /// of a new machine; the hello of a watcher does not. Throws BadMessage, and changes nothing, if a watcher names an
-    /// unknown machine, if the machine is known with other parameters, or if there are too many machines.
+    /// Returns the diagnosis of the machine that the hello names. A hello is the first message of a client. The client
+    /// is the control system of the machine, or only watches the diagnosis. The hello of a control system creates the
+    /// diagnosis of a new machine; the hello of a watcher does not. Throws BadMessage, and changes nothing, if a
+    /// watcher names an unknown machine, if the machine is known with other parameters, or if there are too many
+    /// machines.
     identification::Diagnosis& greet(const Hello& hello);
     /// Adds a diagnosis from the state file.
     void add(identification::Diagnosis::State state);
@@ -36,8 +38,9 @@ public:
     /// REQUIRES: no reference to the diagnosis of this machine is in use.
     void forget(const std::string& machine) { diagnoses_.erase(machine); }
 
-    /// Processes a message from the state file again: a configuration, a sample or a baseline of a known machine.
-    /// Throws BadMessage or identification::RefusedSample.
+    /// Processes a message from the state file again after a restart. The message is a configuration, a sample or a
+    /// baseline (compliances of the healthy links) of a known machine. Throws BadMessage or
+    /// identification::RefusedSample.
     void replay(const std::string& machine, std::string_view message);
 
 private:

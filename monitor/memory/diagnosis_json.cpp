@@ -78,7 +78,7 @@ void require_whole(const LinkTrack::State& track, const Sampling& sampling) {
                      "a link's readings");
 }
 
-/// Returns whether every sample has `links` links.
+/// Returns whether every sample has values of `links` links.
 bool are_of(std::size_t links, const std::vector<SetSample>& samples) {
     return std::ranges::all_of(samples, [&](const SetSample& each) { return each.size() == links; });
 }

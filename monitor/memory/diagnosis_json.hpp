@@ -7,12 +7,12 @@
 
 namespace placedpar::monitor {
 
-/// Returns the state of a diagnosis in the form that the state file stores. Reading this form back gives the same bits.
-/// A change of any State type needs a new file version (state_identity.hpp).
+/// Returns the state of a diagnosis in the form that the state file stores. state_from() reads the same bits back. If
+/// any State type changes, the state file needs a new version number (state_identity.hpp).
 boost::json::value state_json(const identification::Diagnosis::State& state);
 
-/// Reads a state that state_json() has written. Throws std::runtime_error, which names the member, if the value is not
-/// a valid state, or if its populations have another size than the settings require.
+/// Reads a state that state_json() has written. Throws std::runtime_error if the value is not a valid state, or if its
+/// populations have another size than in the settings. The error names the wrong member.
 identification::Diagnosis::State state_from(const boost::json::value& value,
                                             const identification::DiagnosisSettings& settings);
 

@@ -15,8 +15,9 @@ struct DiagnosisState; // identification/on_line/diagnosis.hpp
 
 namespace placedpar::monitor {
 
-/// This file declares the entries of the state file. Times called `at` are read from this computer's clock, in seconds
-/// since 1970. Times called `time_s` are read from the control system's clock.
+/// These types are the entries of the state file, from which the service restores its diagnoses after a restart. A
+/// machine is an excavator under diagnosis. Times called `at` are from this computer's clock, in seconds since 1970.
+/// Times called `time_s` are from the control system's clock.
 
 /// A message that a diagnosis accepted. Messages of all machines are numbered together, without gaps.
 struct KeptMessage {
@@ -36,7 +37,7 @@ struct KeptState {
     friend bool operator==(const KeptState&, const KeptState&) = default;
 };
 
-/// A state that is not yet text: the writer's thread converts this copy to JSON.
+/// A copy of a diagnosis's state. The thread that writes the file converts it to a KeptState.
 struct UnwrittenState {
     std::string machine;
     std::uint64_t taken;
@@ -44,8 +45,8 @@ struct UnwrittenState {
 };
 
 /// Deletes the state and the history of a machine. Earlier messages of the machine may remain in the file. The same
-/// transaction must therefore have a message with the text `forget_text`: a restart does not process the machine's
-/// messages before this message.
+/// transaction must therefore store a message with the text `forget_text`. A restart ignores the machine's messages
+/// before this message.
 struct ForgottenMachine {
     std::string machine;
 };
@@ -68,8 +69,8 @@ struct KeptEstimate {
 };
 BOOST_DESCRIBE_STRUCT(KeptEstimate, (), (machine, at, time_s, set, link, compliance_in3_per_psi, error_in3_per_psi))
 
-/// An alarm and its times. Alarms of one machine with equal kind and links count as one alarm, which is not raised
-/// again while it is active.
+/// An alarm and its times. Alarms of one machine with equal kind and links count as one alarm. While it is active, it
+/// is not raised again.
 struct KeptAlarm {
     std::string machine;
     std::string kind, links; ///< links as "BU BO"
@@ -91,8 +92,8 @@ struct ChangedAlarm {
     KeptAlarm alarm;
 };
 
-/// Lists all active alarms after some changes were lost. Any other open alarm in the history was cleared at time `at`
-/// or earlier.
+/// Lists all active alarms. It corrects the history after some changes were lost: any other alarm that is open in the
+/// history has been cleared by the time `at`.
 struct OpenAlarms {
     std::vector<KeptAlarm> alarms;
     double at;
@@ -101,11 +102,11 @@ struct OpenAlarms {
 using Entry = std::variant<KeptMessage, KeptState, UnwrittenState, ForgottenMachine, TrimmedMessages, KeptEstimate,
                            KeptAlarm, ChangedAlarm, OpenAlarms>;
 
-/// Entries that are committed together or not at all.
+/// Entries that are stored together or not at all.
 struct Transaction {
     std::vector<Entry> entries;
-    /// The number of the last message, if the transaction replaces the whole content: its entries then hold the states
-    /// of all machines after that message, and all earlier states and messages are deleted.
+    /// If not nullopt, the transaction deletes all earlier states and messages. Its entries have the states of all
+    /// machines after the message with this number.
     std::optional<std::uint64_t> all_anew_at = {};
 };
 

@@ -10,8 +10,8 @@
 
 namespace placedpar::monitor {
 
-/// These functions write numbers and genomes as text, and read this text back to the same bits. (A JSON parser may
-/// change the last bit of a double.)
+/// These functions write numbers and genomes as text, and read this text back to the same bits. The state file stores
+/// numbers in this form, because a JSON parser may change the last bit of a double.
 
 /// Writes each number in the shortest form that reads back exactly, separated by spaces.
 std::string exact_text(std::span<const double> numbers);

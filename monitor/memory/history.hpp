@@ -9,8 +9,9 @@
 
 namespace placedpar::monitor {
 
-/// Accesses the tables of estimates and alarms. Each table keeps the newest `most` rows of each machine. All functions
-/// throw DatabaseError. Functions that change a table must run inside a transaction.
+/// The history in the state file: the tables of settled estimates and of alarms, which the web page shows. Each table
+/// keeps the newest `most` rows of each machine. All functions throw DatabaseError. Functions that change a table must
+/// run inside a transaction.
 class History {
 public:
     static const char* const schema;
@@ -24,8 +25,9 @@ public:
 
     void keep(const KeptEstimate& estimate) { estimates_.keep(estimate); }
     void keep(const KeptAlarm& alarm) { alarms_.keep(alarm); }
-    /// Replaces the times in the newest row of the same machine, kind and links.
+    /// Replaces the times of an alarm, in the newest row with the same machine, kind and links.
     void change(const KeptAlarm& alarm);
+    /// Marks every alarm as cleared that is open in the table but not in `open`, after some changes were lost.
     void reconcile(const OpenAlarms& open);
     void forget(const std::string& machine);
 
@@ -37,7 +39,8 @@ public:
     std::vector<KeptAlarm> alarms(const std::string& machine, std::uint64_t most);
     /// Returns the alarms that are not cleared, of all machines, ordered by machine and age.
     std::vector<KeptAlarm> open_alarms();
-    /// Returns the alarms that are not cleared, and the alarms that were ever shelved.
+    /// Returns the alarms that are not cleared, and the alarms that an operator has ever shelved, that is, suppressed
+    /// for some time.
     std::vector<KeptAlarm> noted_alarms() { return alarms_.rows(noted_alarms_.bind()); }
 
 private:

@@ -11,7 +11,7 @@
 
 namespace placedpar::monitor {
 
-/// The parts of a history table that do not depend on the type of its rows.
+/// The parts of HistoryTable that do not depend on the type of its rows.
 class HistoryText {
 protected:
     /// Returns the statement with the table's name in place of {}.
@@ -24,9 +24,10 @@ protected:
     static std::string exact(const std::optional<double>& number);
 };
 
-/// A table of structs that Boost.Describe describes; the first member is the machine. Its columns are the machine, the
-/// row's number within the machine, the other members and a checksum of all these columns. The table keeps the newest
-/// `most` rows of each machine.
+/// A table of structs in an SQLite database, for the history of each machine (excavator). Boost.Describe gives the
+/// members of the struct; the first member is the machine. The columns are the machine, the row's number among the
+/// machine's rows, the other members, and a checksum of all these columns. The table keeps the newest `most` rows of
+/// each machine.
 template <typename Row>
 class HistoryTable : HistoryText {
 public:

@@ -17,7 +17,8 @@
 
 namespace placedpar::monitor {
 
-/// Reports an error in a stored value and the path of the wrong member, such as "tracks.2.sums.readings".
+/// Reports an error in a value read from the state file, and the path of the wrong member, such as
+/// "tracks.2.sums.readings".
 struct NotWhole : std::runtime_error {
     NotWhole(std::string where, const std::string& what) : std::runtime_error(what), path(std::move(where)) {}
     std::string path;
@@ -54,13 +55,14 @@ void for_each_double(T& value, Use& use) {
         for_each_member(value, [&](const std::string&, auto& member) { for_each_double(member, use); });
 }
 
-/// Whether a member of type T may be missing, because earlier versions of the program did not have it.
+/// Whether a member of type T may be missing in a file, because earlier versions of the program did not write it.
 template <typename T>
 inline constexpr bool may_be_missing = false;
 
-/// Converts values to JSON and back to the same bits, using their descriptions by Boost.Describe. A struct becomes an
-/// object with a field for each member; a class with a function `state()` is stored as the result of this function. A
-/// value or a list that consists of doubles only becomes one text (exact_text.hpp).
+/// Converts the state of a diagnosis to JSON for the state file, and back to the same bits. Boost.Describe gives the
+/// members of each struct. A struct becomes an object with a field for each member. A class with a function `state()`
+/// is stored as the result of this function. A value or a list of doubles only becomes one text, because a JSON parser
+/// may change a double's last bit (exact_text.hpp).
 struct KeptJson {
     template <typename T>
     static boost::json::value write(const T& value) {
@@ -94,7 +96,7 @@ struct KeptJson {
         return object;
     }
 
-    /// Reads the value back from JSON. If a member is wrong, throws a NotWhole that names the member; if the value as a
+    /// Reads the value back from JSON. If a member is wrong, throws a NotWhole that names the member. If the value as a
     /// whole is wrong, throws another exception.
     template <typename T>
     static void read(T& value, const boost::json::value& json) {

@@ -8,12 +8,14 @@
 
 namespace placedpar::monitor {
 
-/// Remembers which estimates of a diagnosis are settled, for comparison after the next message.
+/// Finds the estimates to add to the history of a machine. Remembers which estimates of compliances are settled, that
+/// is, agree over many generations, before the diagnosis takes a message. Afterwards, ended() compares.
 class SettledEstimates {
 public:
     explicit SettledEstimates(const identification::Diagnosis& diagnosis);
 
-    /// Returns the settled estimates whose transients have ended since construction, with standard errors.
+    /// Returns the settled estimates whose transients, the times in which a pressure changes, have ended since
+    /// construction.
     std::vector<KeptEstimate> ended(const identification::Diagnosis& diagnosis, double at) const;
 
 private:

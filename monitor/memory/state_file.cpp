@@ -133,9 +133,9 @@ void StateFile::require_in_place() const {
         throw store::DatabaseError("the file was removed or replaced", false);
 }
 
-/// Opens the file again. If the file was removed, a copy replaces it; the copy is locked before it gets the file's
-/// name. If the file is removed once more meanwhile, the next attempt can still succeed. A file that another program
-/// has put there is not changed.
+/// Opens the file again after an error. If the file was removed, a copy replaces it. The copy is locked before it gets
+/// the file's name. If the file is removed once more meanwhile, the next attempt can still succeed. A file that another
+/// program has put there stays unchanged.
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))
@@ -151,7 +151,7 @@ void StateFile::renew() {
         throw store::DatabaseError(known.trouble, false);
 }
 
-/// Writes a copy of the removed file, whose content can still be read while the file is locked.
+/// Writes a copy of the removed file. Its content can still be read, because this program has the file open.
 void StateFile::put_copy_in_place() {
     fs::path copy = write_state_file(lock_->beginning(lock_->size()), path_);
     auto lock = std::make_unique<store::FileLock>(copy, path_.string(), "placedpar monitor");

@@ -25,8 +25,8 @@ namespace {
 
 constexpr std::uint32_t application_id = 0x50506d6f; // "PPmo"
 
-/// Returns the triggers that keep the ledger's sum of the table's checksums up to date. The sum has 62 bits, so adding
-/// to it never overflows.
+/// Returns the triggers that change the ledger's sum of checksums whenever a row of the table changes. The sum has 62
+/// bits, so adding to it never overflows.
 std::string triggers(const char* table) {
     constexpr const char* trigger = "CREATE TRIGGER {0}_{1} AFTER {2} ON {0} BEGIN "
                                     "UPDATE ledger SET sum = sum{3} & {4}; END;";
@@ -39,7 +39,8 @@ std::string triggers(const char* table) {
            fmt::format(fmt::runtime(trigger), table, "deleted", "DELETE", less, sum_mask);
 }
 
-/// The ledger contains the settings, since a change of any setting makes the stored states useless.
+/// Returns the statements that create the tables. The row `ledger` contains the settings, since the stored states are
+/// useless with other settings.
 std::string schema() {
     return std::string("CREATE TABLE ledger(id INTEGER PRIMARY KEY CHECK(id = 1), settings TEXT NOT NULL, "
                        "trimmed INTEGER NOT NULL, last INTEGER NOT NULL, sum INTEGER NOT NULL, "

@@ -19,10 +19,11 @@ namespace json = boost::json;
 
 namespace {
 
-/// The largest number of machines whose states are saved after one message. It is small, so that no client waits long.
+/// The largest number of machines whose states are saved after one message. The number is small, so that no client
+/// waits long.
 constexpr int states_at_once = 4;
 
-/// Returns the settings on which the stored states depend, as well as the result of processing messages again.
+/// Returns the settings that determine the stored states and the result of processing messages again.
 std::string settings_text(const Diagnoses& diagnoses) {
     const DiagnosisSettings& s = diagnoses.settings();
     return fmt::format("--seed {} --population {} --bits {} --window {} --trials {} --gate {}", diagnoses.seed(),

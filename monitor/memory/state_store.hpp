@@ -21,19 +21,22 @@ namespace placedpar::monitor {
 
 class Diagnoses; // monitor/memory/diagnoses.hpp
 
-/// Keeps all diagnoses across a restart. The state file holds a state of each machine and the messages that the machine
-/// has accepted since. A diagnosis is a function of its messages, so processing them again restores it bit by bit.
+/// Keeps all diagnoses over a restart of the service. The state file has a state of each machine (excavator) and the
+/// messages that the machine's diagnosis accepted later. A diagnosis depends only on its messages. Processing the
+/// messages again therefore restores it bit by bit.
 ///
-/// 1. A separate thread writes the file. Each function that stores something returns a ticket. `tell` is called when
-///    everything up to a ticket is on the disk or lost.
-/// 2. After entries were lost, nothing is stored until write_anew() has stored all states again.
+/// 1. A separate thread, the writer's thread, writes the file. Each function that stores something returns a ticket, a
+///    rising number. The callback of start() reports when everything up to a ticket is on the disk or lost.
+/// 2. If entries are lost, for example because the disk is full, nothing is stored until write_anew() has stored all
+///    states again.
 /// 3. All functions are called from one thread.
 class StateStore {
 public:
-    /// Limits the backlog, since a restart must process its messages again. When the backlog is longer, the machines
-    /// with the oldest messages are saved as states.
+    /// The greatest size of the backlog, the messages that are not part of a saved state. A restart must process them
+    /// again. When the backlog is larger, relieve() saves the states of the machines with the oldest messages.
     static constexpr std::size_t most_backlog_bytes = 8u << 20;
-    static constexpr std::uint64_t most_backlog_generations = 100000; ///< 1 to 5 s of work
+    /// The greatest number of generations for the backlog's messages. A restart makes them again in 1 to 5 s.
+    static constexpr std::uint64_t most_backlog_generations = 100000;
 
     /// Opens the file and restores its content. Throws UserError, naming the file, if the file cannot be used.
     StateStore(const std::filesystem::path& path, Diagnoses& diagnoses, std::uint64_t most_history);
@@ -42,19 +45,19 @@ public:
     /// Returns why the file could not be written when it was opened, for example because the disk was full; "" if it
     /// could be written.
     const std::string& trouble() const { return trouble_; }
-    /// Returns a message for the operator about opening the file; "" if there is none.
+    /// Returns a message for the operator about opening the file, or "".
     const std::string& said() const { return said_; }
-    /// Returns the active alarms, and the alarms that were ever shelved.
+    /// Returns the active alarms, and the alarms that an operator ever shelved, that is, suppressed for some time.
     const std::vector<KeptAlarm>& noted_alarms() const { return noted_alarms_; }
 
-    /// From now on, `tell` is called after each transaction, in the writer's thread. Must be called once, before
-    /// anything is stored.
+    /// Starts the writer's thread, which calls `tell` after each transaction. Call this function once, before anything
+    /// is stored.
     void start(std::function<void(WriteProgress)> tell);
-    /// Processes what `tell` received. Must be called in the thread that calls the other functions.
+    /// Processes what `tell` received. Call this function in the thread that calls the other functions.
     void note(const WriteProgress& progress);
 
-    /// Stores a message that the machine has accepted, the number of generations that the message took, and the
-    /// message's additions to the history.
+    /// Stores a message that the machine's diagnosis has accepted, and the entries that the message adds to the
+    /// history. `generations` is the number of generations that the search made for this message.
     std::uint64_t record(const std::string& machine, std::string_view message, std::size_t generations,
                          std::vector<Entry> history);
     /// Stores the present state of a machine.
@@ -65,16 +68,18 @@ public:
     /// While the backlog is too long, stores the states of the few machines that have the oldest messages.
     void relieve();
 
-    /// Returns whether all accepted data is on the disk or being written, so that a restart would restore it.
+    /// Returns whether all accepted data is on the disk or being written, so that a restart would restore all of it.
     bool complete() const { return complete_; }
-    /// Stores all states, which empties the backlog and makes up for any loss. `open_alarms` are the active alarms.
+    /// Stores all states. This empties the backlog and replaces entries that were lost. `open_alarms` are the active
+    /// alarms.
     void write_anew(std::vector<KeptAlarm> open_alarms, double at);
-    /// Returns false if entries were lost and no write is pending; write_anew() should then be called.
+    /// Returns whether entries are being stored. If the result is false, entries were lost, and the caller should call
+    /// write_anew().
     bool keeping() const { return keeping_; }
     /// Returns the last ticket given out.
     std::uint64_t last_ticket() const { return last_ticket_; }
 
-    /// Calls `look` with the state file in the writer's thread. REQUIRES: `look` does not throw.
+    /// Calls `look` with the state file in the writer's thread, to read the history. REQUIRES: `look` does not throw.
     void look(std::function<void(StateFile&)> look) { writer_->look(std::move(look)); }
 
     /// Waits until everything is on the disk and closes the file. Throws UserError if something was lost.

@@ -12,18 +12,18 @@
 
 namespace placedpar::monitor {
 
-/// Reports the progress of the writer.
+/// States how far the writer has come.
 struct WriteProgress {
     std::uint64_t transactions = 0; ///< number of transactions committed or lost so far
     std::string trouble;            ///< why some transactions were lost; "" if none were lost
 };
 
-/// Writes transactions to a state file in its own thread. Transactions that arrive during one commit are committed
-/// together in the next.
+/// Writes transactions to a state file in a thread of its own, so that the service need not wait for the disk.
+/// Transactions that arrive during a commit are committed together in the next commit.
 ///
 /// 1. Transactions are committed in the order of put().
-/// 2. When a commit fails, its transactions are lost. All later transactions are lost, too, up to the next transaction
-///    with `all_anew_at`.
+/// 2. When a commit fails, its transactions are lost. Later transactions are lost, too, until a transaction with
+///    `all_anew_at` replaces the whole content of the file.
 /// 3. put(), look() and wait() are called from one thread other than the writer's.
 class Writer {
 public:

@@ -19,7 +19,7 @@ namespace json = boost::json;
 
 namespace {
 
-/// Rounds to six digits; no estimate is more precise.
+/// Rounds to six digits, since no estimate is more precise.
 double rounded(double value) {
     std::string text = fmt::format("{:.6g}", value);
     double result = value;
@@ -27,7 +27,7 @@ double rounded(double value) {
     return result;
 }
 
-/// Returns the time rounded to 1 us. Six digits would not do: a time may be counted from 1970.
+/// Returns the time rounded to 1 us. Six digits would be too few for a time that is counted from 1970.
 json::value time_json(const std::optional<double>& time_s) {
     return time_s ? json::value(std::round(*time_s * 1e6) / 1e6) : json::value(nullptr);
 }
@@ -36,8 +36,8 @@ json::value number(const std::optional<double>& value) {
     return value ? json::value(rounded(*value)) : json::value(nullptr);
 }
 
-/// Returns the standard error of an estimate; null if there is no estimate, or if its window does not determine the
-/// error.
+/// Returns the standard error of an estimate. Returns null without an estimate, or if its window of samples does not
+/// determine the error.
 json::value error(const std::optional<double>& of, double standard_error) {
     return of && std::isfinite(standard_error) ? json::value(rounded(standard_error)) : json::value(nullptr);
 }

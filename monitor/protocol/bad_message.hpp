@@ -9,12 +9,13 @@
 
 namespace placedpar::monitor {
 
-/// Reports a refused line in terms of the protocol; what() states the error.
+/// Reports a line of a client that the service refuses, with the wrong field and what would be right. what() states the
+/// error.
 class BadMessage : public UserError {
 public:
     BadMessage(std::string field, const std::string& wrong, std::string right, std::optional<std::size_t> column = {})
         : UserError(wrong), field_(std::move(field)), right_(std::move(right)), column_(column) {}
-    /// Reports a sample that was read but cannot be accepted.
+    /// Reports a well-formed sample that the diagnosis refuses.
     explicit BadMessage(const identification::RefusedSample& refused);
 
     /// Returns the path of the field, such as "links.BO.inlet_psi"; empty if the line is not a JSON object.

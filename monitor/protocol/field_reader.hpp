@@ -16,8 +16,9 @@ struct Range {
     const char* unit; ///< may be ""
 };
 
-/// Reads the fields of a JSON object and remembers which names were requested. finish() refuses any other field, since
-/// its name is most likely misspelt. Every function throws BadMessage, naming the field by its path.
+/// Reads the fields of a JSON object in a client's message, and remembers which names the caller requested. finish()
+/// refuses any other field, because its name is most likely misspelt. Every function throws BadMessage, which names the
+/// field by its path.
 class FieldReader {
 public:
     FieldReader(const boost::json::object& object, std::string path) : object_(object), path_(std::move(path)) {}
@@ -32,7 +33,7 @@ public:
     /// Returns a reader of the object in this field.
     FieldReader object(std::string_view name);
 
-    /// Returns all names, in the order of the line.
+    /// Returns the names of all fields, in the order of the message.
     std::vector<std::string> names() const;
     /// Throws if the object has a field that no call has requested.
     void finish() const;

@@ -6,7 +6,7 @@
 
 namespace placedpar::monitor {
 
-/// Returns the links as stored alarms name them: "BU BO".
+/// Returns the symbols of the links, as stored alarms have them: "BU BO" for bucket and boom.
 inline std::string words_of(hydraulics::LinkSet links) {
     std::string words;
     for (hydraulics::Link link : identification::links_of(links))

@@ -10,22 +10,24 @@
 
 namespace placedpar::monitor {
 
-/// These types are the messages that a control system may send, one JSON object on each line (docs/guides/monitor.md).
-/// The parts about the excavator are converted to the types of identification/on_line/inputs.hpp. "Machine" is the
-/// protocol's word for an excavator under diagnosis.
+/// These types are the messages that a client may send to the monitor, one JSON object on each line
+/// (docs/guides/monitor.md). Further messages, about the excavator, are in identification/on_line/inputs.hpp. "Machine"
+/// is the protocol's word for an excavator under diagnosis.
 
 inline constexpr int protocol_version = 1;
 
+/// A client is the control system of its machine and sends samples, or watches the diagnosis.
 enum class Role : unsigned char { control, watch };
-/// Selects the samples after which a connection receives estimates: all samples, samples for which the search made
-/// generations, or no samples.
+/// Selects when a client receives estimates: after each sample, only after samples for which the search made
+/// generations (`moved`), or never.
 enum class Answers : unsigned char { all, moved, none };
 
+/// The first message of a client, which names its machine.
 struct Hello {
     std::string machine;
     Role role = Role::control;
     Answers answers = Answers::all;
-    double load_every_s = 0; ///< period of load reports; 0: only on request
+    double load_every_s = 0; ///< period of reports about the service's load; 0: only on request
     bool anew = false;       ///< whether the service first forgets all stored data of this machine
     std::string token;       ///< "" if no token is sent
     identification::ExcavatorParameters parameters;
@@ -34,11 +36,11 @@ struct Hello {
 struct StatusRequest {};
 /// Requests all active alarms of all machines.
 struct AlarmsRequest {};
-/// Authenticates a connection that sends no hello.
+/// Authenticates a client that sends no hello.
 struct TokenOffer {
     std::string token;
 };
-/// Requests that the service forget all data of the machine.
+/// Requests that the service delete all data of the machine.
 struct Forget {
     std::string machine;
 };
@@ -50,7 +52,7 @@ struct AlarmName {
 struct Acknowledge {
     AlarmName alarm;
 };
-/// Suppresses notifications of the alarm for `for_s` seconds, however often it is raised or cleared; 0 ends the
+/// Suppresses notifications of the alarm for `for_s` seconds, even if the alarm is cleared and raised again. 0 ends the
 /// suppression.
 struct Shelve {
     AlarmName alarm;

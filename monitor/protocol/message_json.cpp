@@ -24,8 +24,8 @@ namespace json = boost::json;
 constexpr const char *beyond_numbers = "it is beyond the range of numbers",
                      *within_numbers = "a number from -1.7e308 to 1.7e308";
 
-/// A handler of boost::json::basic_parser that builds the value as boost::json::parser does, and also checks the keys:
-/// boost::json::parser would silently keep the last of two equal keys.
+/// A handler of boost::json::basic_parser that builds the value as boost::json::parser does, and also checks the keys.
+/// boost::json::parser itself would silently keep the last of two equal keys.
 class Builder {
 public:
     static constexpr std::size_t max_object_size = SIZE_MAX, max_array_size = SIZE_MAX, max_key_size = SIZE_MAX,

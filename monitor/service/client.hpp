@@ -11,15 +11,17 @@
 
 namespace placedpar::monitor {
 
-/// The dispatcher's interface to a connected program; it hides the socket.
+/// A program that is connected to the service. The Dispatcher, which answers messages, uses this class and so needs no
+/// sockets.
 class Client {
 public:
     virtual ~Client() = default;
     virtual void send(std::string_view line) = 0;
     /// Sends the waiting output, then closes the connection.
     virtual void finish() = 0;
-    /// Ends the time limit for the first message, because the client has sent hello.
+    /// Ends the time limit for the first message. Call this function when the client has sent hello.
     virtual void greeted() = 0;
+    /// Returns whether finish() has been called or the connection is closed.
     virtual bool finishing() const = 0;
     /// Returns the number of lines received from the client, including the present one.
     virtual std::size_t lines() const = 0;
@@ -34,8 +36,9 @@ public:
     bool leaving = false;                            ///< the client is about to be closed and sends no more lines
     std::chrono::steady_clock::time_point heard;     ///< when the client's last line arrived
     bool has_samples = false;                        ///< at least one of the client's samples was accepted
-    bool keeps_place = false; ///< the client serves a known machine, so no newcomer takes the client's place
-    bool told_kept = true;    ///< value of `kept` in the last kept_line() sent to the client
+    /// Whether the client serves a machine that has sent many samples. No new client then takes this client's place.
+    bool keeps_place = false;
+    bool told_kept = true; ///< value of `kept` in the last kept_line() sent to the client
 };
 
 } // namespace placedpar::monitor

@@ -11,19 +11,19 @@
 
 namespace placedpar::monitor {
 
-/// Records the connected clients and the machine of each.
+/// Records the connected clients, and to which machine (excavator) each belongs.
 class ClientRegistry {
 public:
     void enter(Client& client);
     void leave(Client& client);
-    /// Registers a client that has said hello (client.hello is set). Returns the control system that the client
-    /// replaces, or null.
+    /// Registers a client under its machine. REQUIRES: the client has sent hello, so that `client.hello` is set.
+    /// Returns the client that was the machine's control system, if the new client replaces it, or null.
     Client* join(Client& client);
 
     const std::set<Client*>& all() const { return clients_; }
     /// Returns the clients that have said hello for this machine.
     const std::set<Client*>& of(const std::string& machine) const;
-    /// Returns the number of clients of the machine that are not about to be closed.
+    /// Returns the number of the machine's clients without those that are about to be closed.
     std::size_t staying(const std::string& machine) const;
     /// Returns the machine's control system, or null.
     Client* control_of(const std::string& machine) const;

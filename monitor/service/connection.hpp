@@ -14,10 +14,11 @@
 
 namespace placedpar::monitor {
 
-/// Reads lines from one client and writes lines to it. The bytes waiting in either direction are limited.
+/// Reads lines from one client of the service, and writes lines to it. In both directions, the number of waiting bytes
+/// is limited.
 ///
-/// 1. Bytes are read only while no whole line is waiting and little output is waiting or held. TCP slows down a client
-///    that sends too much, and the memory used stays below `line_bytes` + `queue_bytes` + the size of one read.
+/// 1. Bytes are read only while no whole line waits and little output waits. TCP therefore slows down a client that
+///    sends too much. The memory used stays below `line_bytes` + `queue_bytes` + the size of one read.
 /// 2. Each turn of the event loop handles one line per connection, so that a client that sends many lines does not
 ///    delay the others.
 /// 3. All functions are called from the loop's only thread.
@@ -27,11 +28,11 @@ public:
     using Clock = std::chrono::steady_clock;
 
     struct Handlers {
-        /// Receives a line without its newline. It may call send() and finish().
+        /// Receives a line without its newline. This function may call send() and finish().
         std::function<void(Connection&, std::string_view)> line;
         /// Returns the protocol's error line for the reason why the connection will be closed.
         std::function<std::string(const std::string& wrong, const std::string& right)> refusal;
-        /// Called when the connection has closed; no handler is called afterwards.
+        /// Is called when the connection has closed. Afterwards no handler is called.
         std::function<void(Connection&)> closed;
     };
 
@@ -43,11 +44,11 @@ public:
     void send(std::string_view line);
     /// Sends the waiting output, then closes the connection. Input that still arrives is discarded.
     void finish();
-    /// Closes the connection if a time limit has passed. Must be called a few times a second.
+    /// Closes the connection if a time limit has passed. Call this function a few times a second.
     void tick(Clock::time_point now);
-    /// Adds `bytes`, which may be negative, to the bytes that wait elsewhere and count as queued.
+    /// Adds `bytes`, which may be negative, to the bytes that wait for the disk and count as waiting output.
     void hold(std::ptrdiff_t bytes);
-    /// Ends the time limit `hello_s`.
+    /// Ends the time limit for the client's first message.
     void greeted() { greeted_ = true; }
     /// Closes the connection immediately.
     void close();

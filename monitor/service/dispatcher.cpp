@@ -20,8 +20,8 @@ using namespace identification;
 
 namespace {
 
-/// Detects an HTTP request. A foreign web page can make the operator's browser send a request to a port of the
-/// operator's own computer, and the lines of its body would be taken for messages.
+/// Detects an HTTP request. A foreign web page can make the operator's browser send a request to this service. The
+/// service would take the lines of the request's body for messages of a control system.
 bool is_http(std::string_view line) { return line.ends_with(" HTTP/1.1") || line.ends_with(" HTTP/1.0"); }
 
 } // namespace
@@ -264,7 +264,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
         note_cleared(diagnosis, forgotten);
 }
 
-/// Clears the alarms of a machine that starts anew; nothing else would clear them.
+/// Clears the alarms of a machine whose data is deleted; nothing else would clear them.
 void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& forgotten) {
     std::vector<Entry> history;
     add_history(diagnosis, forgotten, history);
@@ -384,7 +384,7 @@ void Dispatcher::answer(Client& client, const Shelve& order, std::string_view) {
                  order.for_s > 0 ? fmt::format("shelved for {} s", order.for_s) : "no longer shelved");
 }
 
-/// Stores the change of an alarm, and answers with all active alarms.
+/// Stores the change of an alarm that a client demanded, and answers with all active alarms.
 void Dispatcher::change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change,
                               const std::string& what) {
     client.greeted();
@@ -470,8 +470,8 @@ void Dispatcher::tick() {
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-/// Sends immediately, past the outbox: the message says whether data is stored, so it must not wait until data is
-/// stored.
+/// Tells the client whether data is stored. Sends the message immediately, past the outbox, because the outbox would
+/// hold it back until data is stored.
 void Dispatcher::tell_kept(Client& client) {
     if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
         client.send(kept_line(persistence_.well(), persistence_.trouble()));

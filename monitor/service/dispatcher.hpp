@@ -18,27 +18,27 @@
 
 namespace placedpar::monitor {
 
-/// Passes the clients' messages to the diagnoses and sends the answers. It does not use sockets. There is one overload
-/// of answer() for each message of the protocol.
+/// The centre of the monitor: passes the clients' messages to the diagnoses of their machines (excavators), and sends
+/// the answers. It uses no sockets. Each message of the protocol has its overload of answer().
 class Dispatcher {
 public:
-    /// `store` may be null: then nothing is stored. `say` receives messages for the operator. `searches` may be null:
-    /// then no netlist searches the movements. REQUIRES: the limits outlive this object.
+    /// If `store` is null, nothing is stored. `say` receives messages for the operator. If `searches` is null, no
+    /// simulated transputers search the machines' movements. REQUIRES: the limits outlive this object.
     Dispatcher(Diagnoses& diagnoses, StateStore* store, const ServiceLimits& limits, web::Token token,
                std::function<void(const std::string&)> say, NetlistSearches* searches = nullptr);
 
-    /// Admits a client. If its peer, or all peers together, have too many clients, closes a client that has sent no
-    /// hello yet.
+    /// Admits a client. If its peer (the computer or user from which it comes), or all peers together, have too many
+    /// clients, closes a client that has sent no hello yet.
     void enter(Client& client);
     void leave(Client& client);
     /// Processes a line from the client. Answers go to the client and to other clients that watch its machine.
     void take(Client& client, std::string_view line);
-    /// Sends load reports when they are due, and tells clients whether everything is stored. Must be called a few times
-    /// a second.
+    /// Sends load reports when they are due, and tells clients whether everything is stored. Call this function a few
+    /// times a second.
     void tick();
     /// Processes a progress report of the state file's writer.
     void note(const WriteProgress& progress);
-    /// Sends the answer of the netlist's processes to the clients of the machine.
+    /// Sends the answer of simulated transputers to the clients of the machine.
     void tell(const NetlistAnswer& answer);
     /// Sends a last message to all clients and closes them.
     void say_goodbye();
@@ -76,17 +76,17 @@ private:
     void require_allowance(const Client& client, const Hello& hello);
     /// Closes the client if the limit of clients is reached and no other client can be closed instead.
     void require_place(Client& client, const Hello& hello);
-    /// Returns whether one more connection of this peer may keep its place.
+    /// Returns whether one more client of this peer may get a place that no newcomer can take.
     bool may_keep_place(const std::string& peer) const;
-    /// Returns the client of `those` that must make room for another client of the peer; null if there is none.
+    /// Returns the client among `those` to close in favour of another client of `peer`; null if none may be closed.
     static Client* giving_way(const std::vector<Client*>& those, const std::string& peer, bool preferred);
     void evict(Client& client, const std::string& why, const std::string& right = "a new connection");
     bool is_idle(const std::string& machine) const { return clients_.staying(machine) == 0; }
     void forget(const std::string& machine);
-    /// Forgets machines without a sample to which no client has been connected for `newcomer_s`.
+    /// Forgets machines that have sent no sample and had no client for `newcomer_s`.
     void forget_newcomers();
-    /// Forgets the machine, if any, that must make room for a new machine of this peer, and closes the connections of
-    /// the forgotten machine.
+    /// If all places for machines are taken, forgets a machine in favour of a new machine of this peer, and closes the
+    /// forgotten machine's clients.
     void make_room(const std::string& peer, bool only_own);
     void change_alarm(Client& client, const AlarmName& name, std::optional<Entry> change, const std::string& what);
     identification::Diagnosis& diagnosis_of(Client& client) const;
@@ -96,7 +96,7 @@ private:
     void tell_watchers(const std::string& machine, const std::string& line,
                        const std::function<bool(const Hello&)>& to);
     void tell_alarms(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome);
-    /// Appends an entry for each alarm that was raised or cleared.
+    /// Appends to `history` an entry for each alarm that was raised or cleared.
     void add_history(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& outcome,
                      std::vector<Entry>& history);
     void note_cleared(const identification::Diagnosis& diagnosis, const identification::SampleOutcome& forgotten);

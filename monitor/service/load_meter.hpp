@@ -7,8 +7,8 @@
 
 namespace placedpar::monitor {
 
-/// Counts the work of the service and the time it takes. Must be used in the service's thread, whose processor time it
-/// reads.
+/// Counts the work of the service and measures the time for it, for reports to clients. Use it only in the service's
+/// thread, because it reads the processor time of the calling thread.
 class LoadMeter {
 public:
     using Clock = std::chrono::steady_clock;
@@ -18,9 +18,9 @@ public:
     void count_sample(std::size_t generations);
     /// Counts time spent on a message.
     void count_work(Clock::duration spent);
-    /// Counts time spent on other work, during which no client was served.
+    /// Counts the time of a turn of the event loop, during which no client was served.
     void count_turn(Clock::duration spent);
-    /// Ends the interval of the rates once it has lasted 1 s.
+    /// Ends the interval over which rates are measured, if it has lasted 1 s.
     void tick();
 
     /// Returns totals since the start, and rates over the last complete interval. Before the first interval is

@@ -6,24 +6,24 @@
 
 namespace placedpar::monitor {
 
-/// Writes messages for the operator, each on its own line with the time (UTC). It never blocks: a pipe that is not
-/// read, a stopped terminal or a full disk makes it drop lines. It counts the dropped lines and reports the count when
-/// writing is possible again. Only one thread may use it at a time.
+/// Writes messages for the operator, each on its own line with the time (UTC). The log never blocks the service. If a
+/// pipe is not read, a terminal is stopped or a disk is full, the log drops lines. It counts the dropped lines, and
+/// reports their number when writing is possible again. Only one thread may use the log at a time.
 class Log {
 public:
     /// Writes to an open file, such as standard error; -1 discards everything.
     explicit Log(int file);
 
     void say(std::string_view sentence);
-    /// Reports how many lines were dropped, if that can be written now. Must be called a few times a second.
+    /// If lines were dropped and writing is possible again, writes how many. Call this function a few times a second.
     void tick();
     /// Opens the file by its name again, after the old file was moved away, and creates it if needed.
     void reopen();
     bool is_terminal() const;
 
 private:
-    /// Writes as much as possible without waiting, and keeps the rest for later. Returns false if nothing could be
-    /// written.
+    /// Writes as much of `text` as possible without waiting, and keeps the rest for later. Returns false if nothing
+    /// could be written.
     bool write(const std::string& text);
 
     int file_;

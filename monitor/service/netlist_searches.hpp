@@ -17,14 +17,16 @@
 
 namespace placedpar::monitor {
 
-/// Records the movements of all machines. A separate thread finds the compliances of each movement that has ended.
+/// Records the movements of all machines. When a movement has ended, a separate thread lets simulated transputers
+/// search its compliances. Their network is described by a netlist (option --on).
 class NetlistSearches {
 public:
-    /// Finds the compliances from all samples of a movement. The samples are `period_s` apart. Throws std::exception,
-    /// which says why there is no answer.
+    /// Finds the compliances from all samples of a movement. The samples are `period_s` apart. If it finds no answer,
+    /// throws a std::exception with the reason.
     using Search = std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)>;
 
-    /// The number of movements that may wait for the search (our choice); further movements are skipped.
+    /// The number of movements that may wait for the search. Further movements are skipped. The number is this
+    /// project's choice.
     static constexpr std::size_t most_waiting = 16;
 
     /// `tell` receives each answer. REQUIRES: the thread of `io` calls all functions.
@@ -32,8 +34,8 @@ public:
                     std::function<void(const NetlistAnswer&)> tell)
         : search_(std::move(search)), bits_(bits), io_(io), tell_(std::move(tell)) {}
 
-    /// Records what is new about the movements of the machine. Must be called after each message that the diagnosis has
-    /// accepted.
+    /// Records what is new about the movements of the machine. Call this function after each message that the diagnosis
+    /// has accepted.
     void follow(const identification::Diagnosis& diagnosis);
     void forget(const std::string& machine) { machines_.erase(machine); }
     /// Returns the newest answer about each set of the machine's links.

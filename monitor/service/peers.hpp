@@ -9,7 +9,8 @@
 
 namespace placedpar::monitor {
 
-/// Counts how often each peer has taken over machines. Caller::peer is the name of a peer.
+/// Counts how often each peer has taken over the control of machines, to stop two control systems that take one machine
+/// from each other. A peer is the computer or user from which clients come, named by Caller::peer.
 class Peers {
 public:
     using Clock = std::chrono::steady_clock;

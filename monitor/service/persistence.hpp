@@ -12,13 +12,14 @@
 
 namespace placedpar::monitor {
 
-/// Stores events in the state file, if there is one, and holds back the answers to events until the events are on the
-/// disk. If storing fails, the diagnosis continues without storing: the diagnosis is worth more than its stored state.
+/// Stores the accepted messages and their effects in the state file, and holds back the answers to clients until these
+/// are on the disk. If storing fails, the diagnosis continues without storing, because the diagnosis is worth more than
+/// its stored state.
 class Persistence {
 public:
     using Clock = std::chrono::steady_clock;
 
-    /// `store` may be null: then nothing is stored. `complain` receives messages for the operator.
+    /// If `store` is null, nothing is stored. `complain` receives messages for the operator.
     Persistence(StateStore* store, Outbox& outbox, std::function<void(const std::string&)> complain);
 
     /// Stores a message of the client that the machine's diagnosis has accepted.
@@ -28,14 +29,15 @@ public:
     void forget(const std::string& machine);
     void change_history(Entry entry);
 
-    /// Returns whether all accepted data is on the disk or being written; if it returns false, trouble() gives the
+    /// Returns whether all accepted data is on the disk or being written. If the result is false, trouble() gives the
     /// reason.
     bool well() const { return trouble_.empty(); }
     const std::string& trouble() const { return trouble_; }
 
     /// Processes a report that the callback of StateStore::start() received. Returns whether well() has changed.
     bool note(const WriteProgress& progress);
-    /// Tries to store everything again when a retry is due. Must be called a few times a second.
+    /// After a failure, tries to store everything again when the next attempt is due. Call this function a few times a
+    /// second.
     void tick(const AlarmBoard& alarms);
     /// Stores all states, so that the next start has no messages to process, and closes the file. Throws UserError.
     void finish(const AlarmBoard& alarms);

@@ -14,29 +14,31 @@
 
 namespace placedpar::monitor {
 
-/// A machine or a connection. The numbers of machines and of connections are limited.
+/// A machine (excavator under diagnosis) or a connection. Both are limited in number, that is, each occupies a place.
 struct Occupant {
-    std::string peer;          ///< owner, as Caller::peer; "": unknown
-    bool kept = false;         ///< the occupant is, or serves, a known machine, so no newcomer takes its place
-    bool idle = false;         ///< not in use, so that its peer may use the place for another occupant
-    std::uint64_t samples = 0; ///< number of accepted samples
+    std::string peer;  ///< owner: the computer or user from which the occupant comes (Caller::peer); "": unknown
+    bool kept = false; ///< no newcomer takes the place, because the occupant is, or serves, a known machine
+    bool idle = false; ///< not in use, so that its owner may use the place for another occupant
+    std::uint64_t samples = 0;                   ///< number of accepted samples
     std::chrono::steady_clock::time_point heard; ///< time of the last message
 };
 
-/// Returns how many of `places` may be kept; an eighth of them always stays free for newcomers.
+/// Returns how many of `places` may be kept, that is, be safe from newcomers. At least an eighth of the places is not
+/// kept.
 constexpr std::size_t most_kept(std::size_t places) { return places - (places + 7) / 8; }
 
-/// Returns which occupant must make room for a newcomer of `peer` when all places are taken, or nullopt if the newcomer
-/// is refused. Places that are not kept are shared evenly among peers. An occupant of the peer with most places goes if
-/// that peer afterwards still has at least as many places as the newcomer's peer. Otherwise an idle occupant of the
-/// newcomer's own peer goes. Among the occupants of a peer, idle occupants go first, then occupants with the fewest
-/// samples, then occupants that have been silent longest. With `preferred`, the newcomer is a known machine and takes
-/// any place that is not kept.
+/// Returns which occupant must leave for a newcomer of `peer` when all places are taken, or nullopt if the newcomer is
+/// refused. Places that are not kept are shared evenly among peers. An occupant of the peer with most places leaves, if
+/// that peer then still has at least as many places as the newcomer's peer. Otherwise an idle occupant of the
+/// newcomer's own peer leaves. Among the occupants of a peer, idle occupants leave first, then occupants with the
+/// fewest samples, then those silent for the longest time. With `preferred`, the newcomer is a known machine and may
+/// take any place that is not kept.
 std::optional<std::size_t> gives_way(std::span<const Occupant> places, const std::string& peer, bool preferred);
 
-/// The places of machines. A machine becomes known, and keeps its place, when it has sent many samples over some time.
-/// This requires that a place is left that may be kept (most_kept), both in total and for the machine's peer. REQUIRES:
-/// every machine named in a call has been restored or introduced, and not forgotten since.
+/// The places of machines. A flood of invented machines must not drive out real machines. Therefore a machine that has
+/// sent many samples over some time becomes known, and newcomers cannot take its place. The number of such places is
+/// limited (most_kept()), both in total and for the machine's peer. REQUIRES: every machine named in a call has been
+/// restored or introduced, and not forgotten since.
 class MachinePlaces {
 public:
     using Clock = std::chrono::steady_clock;
@@ -44,13 +46,13 @@ public:
     explicit MachinePlaces(const ServiceLimits& limits) : limits_(limits) {}
 
     /// Adds a machine from the state file. The machine is known if it has any samples. While it has fewer than
-    /// `known_samples` samples, it loses this status if another machine becomes known and needs the place. REQUIRES:
-    /// machines are restored in order of falling `samples`.
+    /// `known_samples` samples, another machine that becomes known may take over this status. REQUIRES: machines are
+    /// restored in order of falling `samples`.
     void restored(const std::string& machine, std::uint64_t samples, Clock::time_point now);
     void introduced(const std::string& machine, const std::string& peer, Clock::time_point now);
     void forgotten(const std::string& machine);
-    /// Records that the machine now has `samples` samples; 0 means that it started anew. Returns true if the machine
-    /// becomes known by this call.
+    /// Records that the machine now has `samples` samples; 0 means that all its data was deleted. Returns true if the
+    /// machine becomes known by this call.
     bool heard(const std::string& machine, std::uint64_t samples, Clock::time_point now);
 
     bool known(const std::string& machine) const { return machines_.contains(machine) && machines_.at(machine).kept; }
@@ -71,9 +73,8 @@ private:
     };
 
     void keep(Machine& machine, bool kept);
-    /// Finds a place that one more machine may keep. If there is no such place, the known machine with the fewest
-    /// samples gives up its place, provided that it has fewer than `known_samples` samples. Returns false if no place
-    /// was found.
+    /// Returns whether one more machine may keep its place. If no place is left, the known machine with the fewest
+    /// samples stops being known, provided that it has fewer than `known_samples` samples.
     bool find_kept_place();
 
     const ServiceLimits& limits_;

@@ -29,29 +29,31 @@ struct ServiceSettings {
     std::uint64_t seed = 1;
     ServiceLimits limits;
     identification::DiagnosisSettings diagnosis;
-    /// Runs a netlist that finds the compliances of a movement (see NetlistSearches::Search). If it is empty, the
-    /// service runs no netlist.
+    /// Runs simulated transputers, described by a netlist, that find the compliances of a movement. If this function is
+    /// empty, the service runs no netlist.
     std::function<identification::AnswerInTime(identification::ComplianceSearch, double period_s)> netlist;
 };
 
-/// The on-line diagnosis as a service over TCP and Unix-domain sockets. One thread serves all clients and makes all
-/// diagnoses. A second thread writes the state file, and a third thread runs the searches of a netlist.
+/// The on-line diagnosis of excavators as a service over TCP and Unix-domain sockets: the monitor. One thread serves
+/// all clients and makes all diagnoses. A second thread writes the state file, and a third thread runs simulated
+/// transputers.
 class Service {
 public:
-    /// Restores the state and listens. The log receives messages for the operator. REQUIRES: the log outlives this
-    /// object. Throws UserError if the address, a port, the path, the token or the state file cannot be used, or if
-    /// other computers could connect without a token.
+    /// Restores the diagnoses from the state file, and listens for clients. The log receives messages for the operator.
+    /// REQUIRES: the log outlives this object. Throws UserError if the address, a port, the path, the token or the
+    /// state file cannot be used, or if other computers could connect without a token.
     Service(const ServiceSettings& settings, Log& log);
     ~Service();
 
-    /// This function and http_port() return 0 if the service has no such port.
+    /// Returns the port for clients, and http_port() the port of the web page. The result is 0 if the service has no
+    /// such port.
     std::uint16_t port() const;
     std::uint16_t http_port() const;
-    /// Handles signals from now on. SIGINT and SIGTERM call stop() instead of ending the program. SIGHUP reopens the
-    /// log, unless the log is a terminal; then SIGHUP keeps its default action, because the terminal has hung up.
+    /// Handles signals from now on. SIGINT and SIGTERM call stop() instead of ending the program. If the log is a file,
+    /// SIGHUP reopens it. If the log is a terminal, SIGHUP ends the program, because the terminal has hung up.
     void heed_signals();
-    /// Serves until stop() is called; stop() may even have been called before. Then notifies the clients and writes the
-    /// state. Throws UserError if the state cannot be written.
+    /// Serves clients until stop() is called, or returns soon if stop() was called before. Then tells the clients that
+    /// the service ends, and writes the state. Throws UserError if the state cannot be written.
     void run();
     /// Makes run() return. May be called from any thread.
     void stop();

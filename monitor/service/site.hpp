@@ -10,11 +10,12 @@
 
 namespace placedpar::monitor {
 
-/// Answers the paths that browsers request: "/" is the page, "/snapshot" and "/history" are its data, "/metrics" is for
-/// Prometheus. "/healthz" returns 200 if everything is stored, else 503; it alone needs no token.
+/// The web site of the monitor. "/" is its page, "/snapshot" and "/history" are the page's data, and "/metrics" is for
+/// Prometheus. "/healthz" returns the status 200 if everything is stored, else 503. "/healthz" needs no token; all
+/// other paths do.
 class Site {
 public:
-    /// `store` may be null: then there is no history. REQUIRES: all references and `store` outlive this object.
+    /// If `store` is null, the page has no history. REQUIRES: all references and `store` outlive this object.
     Site(boost::asio::io_context& io, Dispatcher& dispatcher, StateStore* store, web::Token token, web::HostNames names,
          std::function<void(const std::string&)> say);
 

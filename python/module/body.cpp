@@ -18,7 +18,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// The environment of a process in Python, which measure() needs; null once the process has ended.
+/// The environment of a process in Python, through which measure() reports numbers; null when the process has ended.
 using Measured = std::shared_ptr<ProcessEnvironment*>;
 
 ProcessEnvironment& environment_of(const Measured& measured) {
@@ -27,7 +27,7 @@ ProcessEnvironment& environment_of(const Measured& measured) {
     return **measured;
 }
 
-/// The state of a running process.
+/// The state of a running process whose body is in Python.
 struct Body {
     Interpreter& python = Interpreter::current();
     std::vector<std::shared_ptr<ChannelEnd>> ends;

@@ -18,7 +18,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A function in Python that is used as a policy.
+/// A function in Python that is used as a policy, a step of a genetic search.
 struct Callable {
     static constexpr std::string_view name = "python", about = "a function in Python";
     SharedObject function;
@@ -133,8 +133,8 @@ struct CallableAcceptance : Callable {
     }
 };
 
-/// Returns the policy with this name, or a policy that calls this function. If the policy has a number,
-/// an attribute of the function may set it.
+/// Returns the policy with this name, or a policy that calls this function in Python. If the policy has a numerical
+/// setting, an attribute of the function may set it.
 template <class Step, class Own, class Policy>
 Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
     if (py::isinstance<py::str>(given_policy))

@@ -13,16 +13,16 @@
 
 namespace placedpar::python {
 
-/// An end of a channel that a process in Python uses. It holds the message on its way between Python, where the caller
-/// holds Python's global lock, and the channel, which must be used without the lock. A Python variable may refer to the
-/// end after its process has ended.
+/// An end of a channel that a process in Python uses. A message passes between Python, which needs Python's global
+/// lock, and the channel, which must be used without the lock. In between, this object holds the message. A Python
+/// variable may refer to the end even after its process has ended.
 class ChannelEnd {
 public:
     ChannelEnd(std::string port, Direction direction) : port_(std::move(port)), direction_(direction) {}
     virtual ~ChannelEnd() = default;
-    /// Ends the use of the channel. Called when the process ends.
+    /// Ends the use of the channel. Call this function when the process ends.
     void detach() { is_detached_ = true; }
-    /// Throws UserError if the process of the end has ended.
+    /// Throws UserError if the process that uses this end has ended.
     void require_attached() const;
     /// Throws pybind11::type_error for an end of the other direction, and UserError if the process has ended.
     void require(Direction) const;
@@ -42,8 +42,8 @@ private:
     bool is_detached_ = false;
 };
 
-/// Describes how a channel carries messages of a type such as "INT32" or "[]REAL64". protocol_named() has the list of
-/// these types.
+/// Describes how a channel carries messages of one type, such as "INT32" or "[]REAL64". protocol_named() knows these
+/// types.
 struct Protocol {
     std::function<PortDescription(std::string name, Direction, std::string about)> port;
     std::function<std::vector<std::shared_ptr<ChannelEnd>>(const ProcessEnvironment&, const std::string& port,
@@ -54,7 +54,8 @@ struct Protocol {
 /// Returns the protocol of this name. Throws UserError for an unknown name. The message lists all names.
 const Protocol& protocol_named(const std::string& name);
 
-/// A message that consists of any Python object. The sender states how many bytes the message has on a link.
+/// A message that is any Python object. The sender states how many bytes the message has on a link, for the simulated
+/// time of the transfer.
 struct ObjectMessage {
     SharedObject object;
     std::uint32_t bytes = 4;

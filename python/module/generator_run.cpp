@@ -30,7 +30,7 @@ std::string place_of(py::object generator) {
 } // namespace
 
 GeneratorRun::~GeneratorRun() {
-    // A generator that refuses to be closed is reported by Python, and does not affect the run.
+    // Python reports a generator that refuses to be closed; the run is not affected.
     python_.call([&] {
         components_.clear();
         generator_ = where_ = operation_ = result_ = py::object();
@@ -47,7 +47,7 @@ void GeneratorRun::note_place() const {
                 python_.places.try_emplace(Kernel::current()->running().path(), place);
         });
     } catch (const std::exception&) {
-        // Without a place in Python, the report of a deadlock has the place in the library.
+        // If this fails, the report of a deadlock has the place in the C++ library instead of the place in Python.
     }
 }
 
@@ -65,7 +65,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
 }
 
 void GeneratorRun::finish() {
-    // Notes the place even if the process is unwound in a wait.
+    // Notes the place also if the run ends while this process waits.
     const std::shared_ptr<const void> leaving(nullptr, [this](const void*) { note_place(); });
     if (generator_)
         python_.call([&] { step(py::none()); });

@@ -10,7 +10,8 @@
 
 namespace placedpar::python {
 
-/// Runs the generator of a body, or of a component of a PAR, as the running process.
+/// Runs a Python generator as a process. The generator is the body of a process, or of a component of a PAR, and yields
+/// one operation, such as an input, after the other.
 class GeneratorRun {
 public:
     GeneratorRun() = default;
@@ -20,8 +21,8 @@ public:
 
     /// Performs all operations until the generator ends. REQUIRES: start() was called.
     void finish();
-    /// Sets what to run: a generator, or a single operation of the enclosing generator. REQUIRES: the caller holds the
-    /// lock, in Interpreter::call().
+    /// Sets what to run: a generator, or a single operation of the generator `enclosing`. REQUIRES: the caller holds
+    /// Python's global lock, in Interpreter::call().
     void start(pybind11::object component, const pybind11::object& enclosing);
 
 private:
@@ -47,8 +48,8 @@ private:
     Operation* now_ = nullptr;
     pybind11::object result_; ///< the generator's return value, once it has ended
     std::vector<Guard> guards_;
-    std::vector<std::shared_ptr<ChannelEnd>>
-        guarded_; ///< the input end of each guard of the ALT; null for a guard without an end
+    /// The input end of each guard of the ALT; null for a guard that is not an input.
+    std::vector<std::shared_ptr<ChannelEnd>> guarded_;
     std::size_t chosen_ = 0;
     std::list<GeneratorRun> components_;
     std::string refused_; ///< why the operation failed; "" if it did not

@@ -9,7 +9,7 @@
 
 namespace placedpar::python {
 
-/// Returns the description of T for messages to Python users, such as "a whole number from 0 to 255".
+/// Returns the values of type T in words, for messages to Python users, such as "a whole number from 0 to 255".
 template <class T>
 std::string kind_of_value() {
     if constexpr (std::same_as<T, std::string>)
@@ -37,7 +37,7 @@ T given(pybind11::handle value, const char* name) {
         pybind11::str("{} is {!r}, expected {}").format(name, value, kind_of_value<T>()).template cast<std::string>());
 }
 
-/// The name of an argument, as a parameter of templates.
+/// The name of an argument, in a form that can be a template argument.
 template <std::size_t n>
 struct Name {
     consteval Name(const char (&text)[n]) {
@@ -46,16 +46,17 @@ struct Name {
     char characters[n];
 };
 
-/// An argument of a function that Python calls. given() checks its type; otherwise pybind11's message would list all
-/// signatures in C++.
+/// An argument of a function that Python calls. given() checks its type, so that the user gets a short message.
+/// pybind11's own message would list all signatures in C++.
 template <class T, Name name>
 struct Given {
     T value{};
     operator T() const { return value; }
 };
 
-/// Returns a last overload that refuses all other arguments, so that pybind11 does not list all signatures in C++.
-/// `usage` is the correct call, such as "below(n)".
+/// Returns a function that refuses any arguments, with a short message. Declared as the last overload, it takes the
+/// place of pybind11's message, which would list all signatures in C++. `usage` is the correct call, such as
+/// "below(n)".
 template <class Result = pybind11::object>
 auto refusal(const char* usage) {
     return [usage](const pybind11::args&, const pybind11::kwargs&) -> Result {

@@ -12,7 +12,8 @@
 
 namespace placedpar::python {
 
-/// A reference to a Python object, which may be copied and destroyed without the lock.
+/// A reference to a Python object, which may be copied and destroyed without Python's global lock, here called the
+/// lock.
 class SharedObject {
 public:
     SharedObject() = default;
@@ -34,8 +35,8 @@ struct RunClock {
     std::atomic<std::int64_t> picoseconds{0};
 };
 
-/// Calls Python for the processes of one run. The run holds the lock only during the calls. The calls use a separate
-/// stack, because Python needs more than the stack of a process.
+/// Calls Python for the processes of one run of a network. The run holds the lock only during the calls. The calls use
+/// a separate stack, because Python needs more than the stack of a process.
 ///
 /// 1. Only one object exists on a thread at a time; current() returns it.
 /// 2. All calls are made on the thread of the run.
@@ -59,7 +60,7 @@ public:
 
     /// For each unfinished process, the place in its program at which it waited, such as "relay.py:12".
     std::map<std::string, std::string> places;
-    RunClock* clock = nullptr; ///< null: no clock is kept
+    RunClock* clock = nullptr; ///< receives the time of the run; null: no other thread reads the time
 
 private:
     struct Call {
@@ -93,8 +94,8 @@ inline pybind11::object error_named(const char* name) {
 /// lock.
 std::string text_of(pybind11::handle exception);
 
-/// Throws an exception of the class `error_class` of placedpar.errors, with the failure as its cause. KeyboardInterrupt
-/// and SystemExit are thrown unchanged. REQUIRES: the caller holds the lock.
+/// Throws an exception of the class `error_class` of placedpar.errors, with `failure` as its cause. If `failure` is a
+/// KeyboardInterrupt or SystemExit, throws it unchanged. REQUIRES: the caller holds the lock.
 [[noreturn]] void rethrow(const SharedObject& failure, const char* error_class, const std::string& text);
 
 } // namespace placedpar::python

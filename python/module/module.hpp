@@ -4,15 +4,16 @@
 
 namespace placedpar::python {
 
-// These functions add their parts of the module. No other part uses them.
+// Each of these functions adds a part to the Python module. Only module.cpp calls them.
 
 void add_identifications(pybind11::module_&);
 void add_networks(pybind11::module_&);
-/// Adds the operations that a body yields. See python/placedpar/process.py for their use.
+/// Adds the operations that the body of a process in Python yields, such as an input. See python/placedpar/process.py
+/// for their use.
 void add_operations(pybind11::module_&);
 void add_random(pybind11::module_&);
 void add_searches(pybind11::module_&);
-/// Adds sweeps and explanations.
+/// Adds sweeps (many runs with different settings) and explanations of runs.
 void add_studies(pybind11::module_&);
 
 } // namespace placedpar::python

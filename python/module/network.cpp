@@ -38,7 +38,7 @@ py::dict as_dict(const Diagnostic& diagnostic) {
                     "hint"_a = diagnostic.hint, "text"_a = render(diagnostic));
 }
 
-/// Warns in Python. The warning shows the line of the user's program that read an attribute of a run, such as its
+/// Warns in Python. The warning shows the line of the user's program that read the attribute of a run, such as its
 /// timeline.
 void warn(const std::string& text) {
     py::module_::import("warnings").attr("warn")(text, error_named("NetlistWarning"), 3);
@@ -58,7 +58,7 @@ std::vector<ProcessKind> kinds_of(const py::list& classes) {
     return kinds;
 }
 
-/// Returns a verb for an activity, including activities that do not occur in reports of deadlocks.
+/// Returns a verb for each activity.
 std::string verb_of(Activity activity) {
     switch (activity) {
     case Activity::executing: return "executes";
@@ -70,7 +70,7 @@ std::string verb_of(Activity activity) {
     }
 }
 
-/// Keeps the slices of a timeline.
+/// Collects the slices of a timeline (activities with begin and end) for Python.
 class SliceRows final : public TraceWriter {
 public:
     explicit SliceRows(const Tracks& tracks) : tracks_(tracks) {}
@@ -98,8 +98,8 @@ private:
     std::vector<Slice> slices_;
 };
 
-/// Returns the named measures of a run, None for a measure that this run does not have. Throws UserError if runs of
-/// this network cannot have the measure.
+/// Returns the named measures of a run. A measure that this run does not have is None. Throws UserError if runs of this
+/// network cannot have the measure.
 py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const std::vector<std::string>& measures) {
     const StudyFigures figures = figures_of(run.report, network.network());
     py::list found;
@@ -160,8 +160,8 @@ private:
     RunClock* clock_; ///< null if no thread reads the time
 };
 
-/// Replaces the places at which processes in Python wait. The report has places in the C++ source of this module, but
-/// users need the lines of their bodies in Python.
+/// Puts into the report the lines of Python at which processes wait. Before, the report has lines in the C++ source of
+/// this module, which do not help the user.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
         for (StuckProcess& process : report.result.deadlock->processes)

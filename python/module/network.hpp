@@ -17,8 +17,8 @@ namespace placedpar::python {
 
 /// The settings with which a network is loaded.
 struct LoadSettings {
-    std::string file; ///< path of the netlist; "netlist" for a text
-    std::string text; ///< used if the netlist is not a file
+    std::string file; ///< path of the netlist; "netlist" if the netlist is a text
+    std::string text; ///< the netlist itself, if it is not in a file
     bool is_file = true;
     Overrides set;
     ReadOptions read;
@@ -31,10 +31,10 @@ struct RunOptions {
     Time until = Time::max();
     std::optional<std::uint64_t> shuffle = {};
     std::shared_ptr<RunClock> clock = {}; ///< null if no thread reads the time during the run
-    std::string keys = "";                ///< keys that are pressed for programs with a host
+    std::string keys = "";                ///< keys that are pressed for programs that a host computer boots and serves
 };
 
-/// Returns the time limit of a run; no value means no limit.
+/// Returns the simulated time at which a run ends. Without a value, the run has no limit.
 inline Time limit_of_run(std::optional<std::int64_t> until_ps) { return until_ps ? Time{*until_ps} : Time::max(); }
 
 /// A finished run of a network.
@@ -46,10 +46,11 @@ struct FinishedRun {
     std::string output; ///< text that programs with a host wrote to the screen
 };
 
-/// A netlist, a configuration or a program in occam that has been read, with its kinds in Python.
+/// A netlist, a configuration or a program in occam that has been read, with the process kinds that the user wrote in
+/// Python.
 class LoadedNetwork {
 public:
-    /// Throws a NetlistError of Python with all diagnostics.
+    /// If the netlist has errors, throws the Python exception NetlistError with all diagnostics.
     explicit LoadedNetwork(const LoadSettings&);
 
     const Network& network() const { return network_; }
@@ -60,7 +61,7 @@ public:
     bool has_own_kinds() const { return !kinds_.empty(); }
     Catalogue kinds(const ProblemRegistry&, SearchObserver* = nullptr) const;
 
-    /// Runs the network without Python's lock. Rethrows the first exception of a process in Python.
+    /// Runs the network without Python's global lock. Rethrows the first exception of a process in Python.
     FinishedRun run(const RunOptions&, TraceSink* = nullptr) const;
 
 private:
@@ -73,8 +74,8 @@ private:
     Network network_;
 };
 
-/// Makes a process kind of a subclass of placedpar.Process. REQUIRES: the caller holds Python's global lock. Throws
-/// UserError if the class does not describe a kind.
+/// Makes a process kind, which netlists can name, of a subclass of placedpar.Process. REQUIRES: the caller holds
+/// Python's global lock. Throws UserError if the class does not describe a kind.
 ProcessKind kind_of(pybind11::handle process_class);
 /// Returns a dictionary for each error and warning. REQUIRES: the caller holds Python's global lock.
 pybind11::list as_dicts(const std::vector<Diagnostic>&);

@@ -8,7 +8,8 @@
 
 namespace placedpar::python {
 
-/// An operation that a body yields, such as an input. The `yield` returns the operation's result.
+/// An operation that the body of a process in Python yields, such as an input. The body's `yield` returns the
+/// operation's result.
 struct Operation {
     /// `skip` and `never` are only guards of an ALT. `input`, `wait`, `until` and `after` may be guards, too.
     enum class Kind : unsigned char { output, input, compute, wait, until, after, alt, par, stop, skip, never };

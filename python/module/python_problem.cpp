@@ -19,7 +19,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// The parameters of a problem. Another class computes the objective.
+/// The parameters of a problem, in the form of a problem without objectives. PythonProblem adds the objectives.
 struct Parameters {
     ParameterCoding coding;
     ParameterCoding representation() const { return coding; }
@@ -82,7 +82,8 @@ Rated rated_of(const py::object& returned, const py::array& population) {
 /// A problem whose objectives and constraints are a function in Python.
 class PythonProblem final : public AdaptedProblem {
 public:
-    /// `parameters` describes the problem except for its objectives. REQUIRES: see FunctionInPython::problem().
+    /// `parameters` describes the problem without its objectives. REQUIRES: the caller holds Python's global lock
+    /// whenever the problem is used.
     PythonProblem(std::shared_ptr<const SearchProblem> parameters, SharedObject function)
         : AdaptedProblem(std::move(parameters)), function_(std::move(function)) {}
 

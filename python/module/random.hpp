@@ -9,15 +9,15 @@
 
 namespace placedpar::python {
 
-/// A random stream for Python: a new stream, or a stream that the library lends during a call. Python may keep a
-/// reference after the call.
+/// A random stream for Python. The stream is new, or the library lends it for the time of a call, for example to a
+/// policy of a search. Python may keep a reference after the call; stream() then throws.
 class PythonRandom {
 public:
     explicit PythonRandom(const RandomStream& own) : own_(own), random_(&*own_) {}
     explicit PythonRandom(RandomStream* lent) : random_(lent) {}
     PythonRandom(const PythonRandom&) = delete;
     PythonRandom& operator=(const PythonRandom&) = delete;
-    /// Throws UserError if the stream was lent and the loan has ended.
+    /// Returns the stream. Throws UserError if the stream was lent and the call has ended.
     RandomStream& stream() const;
     void end() { random_ = nullptr; }
 
@@ -26,7 +26,7 @@ private:
     RandomStream* random_;
 };
 
-/// Lends a random stream while this object exists.
+/// Lends a random stream to Python while this object exists.
 class Loan {
 public:
     explicit Loan(RandomStream& random) : lent_(std::make_shared<PythonRandom>(&random)) {}

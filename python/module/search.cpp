@@ -53,7 +53,7 @@ struct SearchOptions {
     std::uint64_t seed;
     std::string coding;
     py::dict settings;
-    std::string checkpoint; ///< a file; "" for none
+    std::string checkpoint; ///< file in which the search is stored from time to time; "": not stored
     py::object progress;
 };
 
@@ -72,7 +72,7 @@ GivenProblem given_problem(const FunctionInPython& given, std::uint64_t seed) {
     return {name, recorded.problem(), recorded};
 }
 
-/// Pauses between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
+/// Pauses the search between two generations, so that Ctrl-C, the end of Python and other threads can take effect.
 class Pauses {
 public:
     /// `progress` is None, or a function that receives the number of completed generations and the number of all
@@ -93,7 +93,7 @@ private:
     InterruptedByKeyboard interruption_{false};
 };
 
-/// Keeps the log, and pauses after each generation.
+/// Passes the events of the search to a log, and pauses after each generation.
 class HeedfulLog final : public SearchObserver {
 public:
     explicit HeedfulLog(const SearchOptions& options)
@@ -178,7 +178,8 @@ py::dict search(const GivenProblem& given, const SearchOptions& options) {
     }
 }
 
-/// Returns the front as lists: `x` and `values` with a row for each individual.
+/// Searches with several objectives, and returns the Pareto front as lists: `x` (parameters) and `values` (objectives)
+/// with a row for each individual.
 py::dict search_front(const GivenProblem& given, const SearchOptions& options) {
     const auto problem = given.problem->coded(Coding::named(options.coding));
     const auto population = python::given<std::size_t>(options.settings["population"], "population");

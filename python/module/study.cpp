@@ -54,8 +54,8 @@ Study study_of(const LoadedNetwork& network, const Axes& axes) {
     return study;
 }
 
-/// Makes the missing runs without the lock, on `jobs` cores (0: on all). `progress` is None, or a function that
-/// receives the number of runs made so far and the number of runs that were missing.
+/// Makes the missing runs without Python's global lock, on `jobs` cores (0: on all). `progress` is None, or a function
+/// that receives the number of runs made so far and the number of runs that were missing.
 void make_runs(const Study& study, StudyResults& results, std::size_t jobs, const py::object& progress) {
     InterruptedByKeyboard interruption;
     const py::gil_scoped_release unlocked;
@@ -93,8 +93,8 @@ py::list rows_of(const Study& study, StudyResults& results) {
     return rows;
 }
 
-/// Makes the runs of the sweep, and returns a row for each run. `store` is a file for the runs; if it is "", the runs
-/// are kept in memory. REQUIRES: the network was read from a file, and has no kinds in Python.
+/// Makes the runs of the sweep, and returns a row for each run. `store` is a file in which the runs are stored; if it
+/// is "", they are in memory only. REQUIRES: the network was read from a file, and has no process kinds in Python.
 py::list sweep(const LoadedNetwork& network, const Axes& axes,
                const Given<std::vector<std::string>, "measure">& measures, std::uint64_t seed, std::uint64_t seeds,
                std::optional<std::int64_t> until_ps, const std::string& store, Given<std::size_t, "jobs"> jobs,
