@@ -132,7 +132,7 @@ void run(const Job& job, Loaded& loaded, Interruption& interruption, json::objec
     RunReport report =
         run_netlist(network, known_problems(job.seed),
                     {.seed = job.seed, .trace = &fork, .observer = &searches, .interruption = &interruption});
-    answer["ended"] = name_of(report.result.ending);
+    answer["ended"] = name_of(report.outcome());
     answer["output"] = screen.output();
     answer["report"] = print_report(report, network, searches);
     if (job.task == "listing")
