@@ -10,7 +10,8 @@ namespace placedpar::serve {
 /// the results up to then.
 std::string answer_of(const std::string& job, const RunLimits& limits);
 
-/// Reads a job from standard input, confines this process, and writes the answer to standard output.
-void do_job(const RunLimits& limits);
+/// Reads a job from standard input, confines this process, and writes the answer to standard output. Returns whether
+/// the input was a job.
+bool do_job(const RunLimits& limits);
 
 } // namespace placedpar::serve

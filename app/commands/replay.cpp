@@ -175,6 +175,7 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     require_study(experiment, options);
     require_printed(experiment, options);
     require_outputs(options);
+    require_seeds(options.seed, std::max<std::size_t>(number_of_seeds(experiment, options), 1));
     InterruptedBySignals interruption;
     if (options.seeds > most_unasked && !options.yes && !are_meant({options.seeds, true, 1, {}}, interruption))
         return interruption.requested() ? ExitCode::interrupted : ExitCode::success;

@@ -79,6 +79,7 @@ struct FinishedRun {
 };
 
 void require_outputs(const RunOptions& options) {
+    require_seeds(options.seed, options.seeds);
     auto outputs = options.outputs();
     if (options.seeds > 1 && !options.recorded.trace.empty())
         throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
