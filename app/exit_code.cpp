@@ -2,12 +2,14 @@
 
 namespace placedpar {
 
-ExitCode exit_code_of(Ending ending) {
-    switch (ending) {
-    case Ending::stuck: return ExitCode::deadlock;
-    case Ending::interrupted: return ExitCode::interrupted;
-    case Ending::completed:
-    case Ending::time_limit: break;
+ExitCode exit_code_of(RunOutcome outcome) {
+    switch (outcome) {
+    case RunOutcome::failed:
+    case RunOutcome::halted: return ExitCode::bad_input;
+    case RunOutcome::deadlock: return ExitCode::deadlock;
+    case RunOutcome::interrupted: return ExitCode::interrupted;
+    case RunOutcome::completed:
+    case RunOutcome::time_limit: break;
     }
     return ExitCode::success;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/kernel.hpp"
+#include "netlist/run_outcome.hpp"
 
 namespace placedpar {
 
@@ -14,8 +14,8 @@ enum class ExitCode {
     interrupted = 130     ///< a signal interrupted the run; the results so far are printed; as in shells
 };
 
-/// Returns the exit code of a run with this ending. A run that reached its time limit is a success, because the user
-/// set the limit.
-ExitCode exit_code_of(Ending);
+/// Returns the exit code of a run with this outcome. A run that reached its time limit is a success, because the
+/// user set the limit.
+ExitCode exit_code_of(RunOutcome);
 
 } // namespace placedpar

@@ -53,6 +53,18 @@ std::vector<Measurement> in_order_of_netlist(std::vector<Measurement> measuremen
     return measurements;
 }
 
+RunOutcome RunReport::outcome() const {
+    if (result.ending == Ending::interrupted)
+        return RunOutcome::interrupted;
+    if (std::ranges::any_of(programs, &ProgramUse::halted))
+        return RunOutcome::halted;
+    if (result.ending == Ending::stuck)
+        return RunOutcome::deadlock;
+    if (std::ranges::any_of(programs, &ProgramUse::failed))
+        return RunOutcome::failed;
+    return result.ending == Ending::time_limit ? RunOutcome::time_limit : RunOutcome::completed;
+}
+
 std::optional<double> RunReport::share(Time part) const {
     if (result.ending == Ending::stuck)
         return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "netlist/kinds/environment.hpp"
 #include "netlist/kinds/machine_use.hpp"
+#include "netlist/run_outcome.hpp"
 #include "runtime/simulation.hpp"
 
 #include <chrono>
@@ -48,6 +49,10 @@ struct RunReport : MachineUse {
     std::vector<FaultUse> faults;
     std::vector<RankClock> clocks; ///< clocks of a recorded run on several ranks; the times of the report are read from
                                    ///< the clock of rank 0
+
+    /// Returns how the run ended. An interruption counts first; then an error that has halted a processor, even if
+    /// other processes then waited for ever; then a deadlock; then a program that failed.
+    RunOutcome outcome() const;
 
     /// Returns this time as a fraction of the run's length. Returns nothing if the run ended in a deadlock, since a
     /// deadlock lasts for ever.

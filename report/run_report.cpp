@@ -297,14 +297,10 @@ boost::json::value fingerprint_json(const RunReport& report) {
     return boost::json::value(hex(report.result.fingerprint));
 }
 
-/// Prints how the run has ended. If a processor has halted, its halt is named instead of the deadlock that it may have
-/// caused.
-std::string print_ending(const RunReport& report) {
-    const Ending ending = report.result.ending;
-    if (ending != Ending::interrupted && std::ranges::any_of(report.programs, &ProgramUse::halted))
-        return painted(Paint::failure, "halted by an error");
-    bool well = ending == Ending::completed || ending == Ending::time_limit;
-    return painted(well ? Paint::success : Paint::failure, name_of(ending));
+std::string print_outcome(const RunReport& report) {
+    const RunOutcome outcome = report.outcome();
+    const bool well = outcome == RunOutcome::completed || outcome == RunOutcome::time_limit;
+    return painted(well ? Paint::success : Paint::failure, name_of(outcome));
 }
 
 /// Prints the errors that have halted processors of a network. They are printed before the processes that wait for ever
@@ -331,7 +327,7 @@ std::string print_never_ran(const std::vector<std::string>& names) {
 
 std::string print_report(const RunReport& report, const Network& network, const GenerationLog& searches) {
     bool stopped = report.result.ending == Ending::time_limit;
-    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_ending(report),
+    std::string out = fmt::format("{}: {} {} {}{}\n", network.source_path, print_outcome(report),
                                   report.is_native ? "natively, after" : "at", to_string(report.result.time),
                                   stopped ? "; the figures below cover the time until then" : "") +
                       (report.is_native ? "" : fmt::format("fingerprint: {:016x}\n", report.result.fingerprint)) +
@@ -361,7 +357,7 @@ std::string print_report(const RunReport& report, const Network& network, const 
 boost::json::object report_json(const RunReport& report, const Network& network, const Manifest& manifest,
                                 const GenerationLog& searches) {
     boost::json::object json{{"manifest", manifest_json(manifest, network)},
-                             {"outcome", name_of(report.result.ending)},
+                             {"outcome", name_of(report.outcome())},
                              {"time_ps", report.result.time.count()},
                              {"fingerprint", fingerprint_json(report)},
                              {"measurements", json_of(measurements_of(report.measurements).rows)},

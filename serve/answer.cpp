@@ -11,8 +11,8 @@
 #include "occam/configuration/configuration.hpp"
 #include "report/run_report.hpp"
 #include "report/search_log.hpp"
+#include "serve/job_text.hpp"
 #include "text/paint.hpp"
-#include "text/texts_in_memory.hpp"
 #include "text/user_error.hpp"
 #include "text/utf8.hpp"
 
@@ -23,6 +23,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 
 namespace placedpar::serve {
@@ -32,31 +33,6 @@ namespace json = boost::json;
 namespace {
 
 constexpr std::size_t most_output_bytes = 256u << 10, largest_page_bytes = 8u << 20; ///< values of our choice
-
-struct Job {
-    std::string task, main, exercise, keys;
-    TextsInMemory files;
-    std::optional<std::string> expected = {};
-    std::uint64_t seed = 1;
-};
-
-std::string text_in(const json::object& object, const char* name) {
-    const json::value* found = object.if_contains(name);
-    return found ? std::string(found->as_string()) : "";
-}
-
-Job job_of(const std::string& text) {
-    const json::value parsed = json::parse(text);
-    const json::object& object = parsed.as_object();
-    Job job{text_in(object, "do"), text_in(object, "main"), text_in(object, "exercise"), text_in(object, "keys"), {}};
-    for (const auto& [name, content] : object.at("files").as_object())
-        job.files.put(std::string(name), std::string(content.as_string()));
-    if (const json::value* seed = object.if_contains("seed"))
-        job.seed = seed->to_number<std::uint64_t>();
-    if (object.contains("expected"))
-        job.expected = text_in(object, "expected");
-    return job;
-}
 
 struct Loaded {
     ParsedNetlist parsed;
@@ -133,7 +109,7 @@ void run(const Job& job, Loaded& loaded, Interruption& interruption, json::objec
     RunReport report =
         run_netlist(network, known_problems(job.seed),
                     {.seed = job.seed, .trace = &fork, .observer = &searches, .interruption = &interruption});
-    answer["ended"] = name_of(report.result.ending);
+    answer["ended"] = name_of(report.outcome());
     answer["output"] = screen.output();
     answer["report"] = print_report(report, network, searches);
     if (job.task == "listing")
@@ -199,11 +175,25 @@ std::string failed_answer(const char* ended, const std::string& reason) {
     return json::serialize(json::object{{"ended", ended}, {"refused", reason}});
 }
 
+/// Reads the job before anything is run, so that errors of a run are not taken for errors of the job.
+std::optional<Job> job_in(const std::string& text, std::string& wrong) {
+    try {
+        return job_of(text);
+    } catch (const std::invalid_argument& error) {
+        wrong = fmt::format("this is not a job: {}", error.what());
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
-std::string answer_of(const std::string& job, std::uint64_t megabytes, Interruption& interruption) {
+std::string answer_of(const std::string& text, std::uint64_t megabytes, Interruption& interruption) {
     try {
-        return as_json(json::serialize(answered(job_of(job), interruption))); // a program may print any bytes
+        std::string wrong;
+        const std::optional<Job> job = job_in(text, wrong);
+        if (!job)
+            return failed_answer("refused", wrong);
+        return as_json(json::serialize(answered(*job, interruption))); // a program may print any bytes
     } catch (const std::bad_alloc&) {
         return failed_answer("refused", fmt::format("the run needs more memory than its limit of {} Mbyte", megabytes));
     } catch (const std::exception& failed) { // for example, a process of the run has failed

@@ -12,7 +12,7 @@ class Interruption; // explore/netlist_run.hpp
 namespace placedpar::serve {
 
 /// Executes one job of the web page on which users run netlists and programs, and returns the answer. Job and answer
-/// are JSON. A job has these members:
+/// are JSON. A job has these members, of which "do", "main" and "files" are required:
 ///
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
@@ -24,9 +24,10 @@ namespace placedpar::serve {
 ///
 /// The answer to "check" has only "faults". Any other answer has "ended" and, by the value of "ended", these members:
 ///
-///   "refused"           "refused" (the reason, as the command line prints it), "faults"; there was no run
+///   "refused"           "refused" (the reason, as the command line prints it), and "faults" unless the text was no
+///                       job; there was no run
 ///   "failed"            "refused" (the reason); the run ended by an exception
-///   a name of an Ending "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
+///   a RunOutcome        "output" (text that booted programs printed), "report", "page" (HTML) or "page_missing" (the
 ///                       reason), and, if the job asks for it, "explanation" or "listing"
 ///   "solved", "not solved", "interrupted", for an exercise
 ///                       "verdict", "result" (name_of(StudentRun::End)), and "simulated_ms" if the program ran to its

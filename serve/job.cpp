@@ -2,6 +2,7 @@
 
 #include "explore/netlist_run.hpp"
 #include "serve/answer.hpp"
+#include "serve/job_text.hpp"
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
@@ -52,7 +53,7 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
     return answer_of(job, limits.megabytes, interruption);
 }
 
-void do_job(const RunLimits& limits) {
+bool do_job(const RunLimits& limits) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL); // without the service the answer is useless
     const std::string job(std::istreambuf_iterator<char>(std::cin), {});
     ::mallopt(M_ARENA_MAX, 1); // each thread would otherwise reserve address space, which is limited
@@ -60,9 +61,10 @@ void do_job(const RunLimits& limits) {
         confine(limits);
     } catch (const UserError& error) {
         std::cout << json::serialize(json::object{{"ended", "refused"}, {"refused", error.what()}}) << std::endl;
-        return;
+        return true;
     }
     std::cout << answer_of(job, limits) << std::endl; // the newline shows that the answer is complete
+    return is_job(job);
 }
 
 } // namespace placedpar::serve

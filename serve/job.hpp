@@ -11,7 +11,7 @@ namespace placedpar::serve {
 std::string answer_of(const std::string& job, const RunLimits& limits);
 
 /// Reads a job from standard input, confines this process (serve/confinement.hpp), and writes the answer to standard
-/// output. The service starts a process with this function for each job.
-void do_job(const RunLimits& limits);
+/// output. The service starts a process with this function for each job. Returns whether the input was a job.
+bool do_job(const RunLimits& limits);
 
 } // namespace placedpar::serve

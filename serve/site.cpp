@@ -3,6 +3,7 @@
 #include "explore/exercise/course.hpp"
 #include "explore/problems.hpp"
 #include "report/kinds_report.hpp"
+#include "serve/job_text.hpp"
 #include "serve/page.hpp"
 #include "text/output_file.hpp"
 #include "text/user_error.hpp"
@@ -46,59 +47,12 @@ std::string catalogue_json() {
     return json::serialize(kinds_json(known_kinds(problems)));
 }
 
-/// Throws std::invalid_argument if the job has this member, but the member is not a string.
-void require_text(const json::object& job, const char* name) {
-    if (const json::value* found = job.if_contains(name); found && !found->is_string())
-        throw std::invalid_argument(fmt::format("\"{}\" must be a string", name));
-}
-
-void require_task(const json::object& job) {
-    constexpr std::array tasks = {"check", "run", "explain", "listing", "exercise"};
-    if (std::ranges::find(tasks, std::string(job.at("do").as_string())) == tasks.end())
-        throw std::invalid_argument("\"do\" must be check, run, explain, listing or exercise");
-}
-
-void require_files(const json::object& job) {
-    if (!job.at("files").is_object())
-        throw std::invalid_argument("\"files\" must be an object");
-    const json::object& files = job.at("files").as_object();
-    if (!files.contains(job.at("main").as_string()))
-        throw std::invalid_argument("\"main\" must be the name of one of the files");
-    if (files.size() > most_files)
-        throw std::invalid_argument(fmt::format("the job has more than {} files", most_files));
-    for (const auto& [name, text] : files)
-        if (!text.is_string() || name.empty() || name.front() == '/' || name.find("..") != name.npos)
-            throw std::invalid_argument(
-                "the text of each file must be a string, and its name must have no \"..\" and not begin with \"/\"");
-}
-
-void require_seed(const json::object& job) {
-    const json::value* seed = job.if_contains("seed");
-    boost::system::error_code error;
-    if (seed)
-        seed->to_number<std::uint64_t>(error);
-    if (error)
-        throw std::invalid_argument("\"seed\" must be a whole number");
-}
-
-void require_job(const json::object& job) {
-    for (const char* name : {"do", "main", "files"})
-        if (!job.contains(name))
-            throw std::invalid_argument(fmt::format("\"{}\" is missing", name));
-    for (const char* name : {"do", "main", "exercise", "keys"})
-        require_text(job, name);
-    require_task(job);
-    require_files(job);
-    require_seed(job);
-}
-
-/// Returns the job's member "do", the task. Throws std::exception if the text is not a job.
+/// Returns the job's member "do". Throws std::invalid_argument if the text is not a job.
 std::string task_of(const std::string& text) {
-    const json::value value = json::parse(text);
-    if (!value.is_object())
-        throw std::invalid_argument("it must be a JSON object");
-    require_job(value.as_object());
-    return std::string(value.at("do").as_string());
+    const Job job = job_of(text);
+    if (job.count_of_files > most_files)
+        throw std::invalid_argument(fmt::format("the job has more than {} files", most_files));
+    return job.task;
 }
 
 } // namespace

@@ -63,7 +63,7 @@ ExitCode measure_and_write(const CalibrateOptions& options, const std::vector<st
                           .ranks = ranks});
     line.clear();
     if (interruption.requested())
-        return exit_code_of(Ending::interrupted);
+        return exit_code_of(RunOutcome::interrupted);
     if (calibration.is_disturbed())
         print_warnings("warning: threads or ranks wait for cores that other programs use; calibrate again when no "
                        "other program is busy\n");

@@ -74,7 +74,7 @@ bool is_within_tolerance(const NetlistComparison& compared, double percent) {
 
 ExitCode exit_code_of(const NetlistComparison& compared, std::optional<double> tolerance) {
     for (const RunReport* report : {&compared.report_a, &compared.report_b})
-        if (const ExitCode code = exit_code_of(report->result.ending); code != ExitCode::success)
+        if (const ExitCode code = exit_code_of(report->outcome()); code != ExitCode::success)
             return code;
     return tolerance && !is_within_tolerance(compared, *tolerance) ? ExitCode::missed_tolerance : ExitCode::success;
 }

@@ -101,8 +101,8 @@ void try_changes(Explanation& explanation, const Network& network, const Explain
 /// Returns the exit code of the run. If an interruption left changes of the network untried, returns the exit code of
 /// an interruption.
 ExitCode exit_code_of(const Explanation& explanation) {
-    return explanation.left_out > 0 ? exit_code_of(Ending::interrupted)
-                                    : exit_code_of(explanation.report.result.ending);
+    return explanation.left_out > 0 ? exit_code_of(RunOutcome::interrupted)
+                                    : exit_code_of(explanation.report.outcome());
 }
 
 /// Returns a table of the predicted times of native runs on several numbers of threads, and of ranks if the calibration

@@ -163,7 +163,7 @@ void write_files(const Replay& replay, const ReplayOptions& options, const std::
 
 /// Tells the user how to continue an interrupted study.
 std::string what_is_left(const ReplayOptions& options, const UnfinishedRun& unfinished) {
-    if (unfinished.ending != Ending::interrupted || find_experiment(options.experiment).seeds == 0)
+    if (unfinished.outcome != RunOutcome::interrupted || find_experiment(options.experiment).seeds == 0)
         return "";
     return options.resume.empty()
                ? "hint: --resume FILE keeps the finished runs\n"
@@ -175,6 +175,7 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     require_study(experiment, options);
     require_printed(experiment, options);
     require_outputs(options);
+    require_seeds(options.seed, std::max<std::size_t>(number_of_seeds(experiment, options), 1));
     InterruptedBySignals interruption;
     if (options.seeds > most_unasked && !options.yes && !are_meant({options.seeds, true, 1, {}}, interruption))
         return interruption.requested() ? ExitCode::interrupted : ExitCode::success;
@@ -184,7 +185,7 @@ ExitCode replay(const ReplayOptions& options, const std::string& typed) try {
     return result.within_tolerance() ? ExitCode::success : ExitCode::missed_tolerance;
 } catch (const UnfinishedRun& unfinished) {
     print_error(fmt::format("placedpar: {}\n{}", unfinished.what(), what_is_left(options, unfinished)));
-    return exit_code_of(unfinished.ending);
+    return exit_code_of(unfinished.outcome);
 }
 
 Action declare_replay(Options& command, const std::string& typed) {

@@ -83,7 +83,7 @@ void require_report_outputs(const ReportOptions& options, const std::filesystem:
 void require_measured(const StudySummary& summary, StudyResults& results) {
     std::optional<StudyFigures> figures;
     results.for_each([&](const StudyRun&, const StudyOutcome& outcome) {
-        if (!figures && outcome.ended == name_of(Ending::completed))
+        if (!figures && outcome.ended == name_of(RunOutcome::completed))
             figures = outcome.figures;
     });
     for (std::size_t i = 0; figures && i < summary.measures.size(); ++i)

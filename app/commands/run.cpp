@@ -79,6 +79,7 @@ struct FinishedRun {
 };
 
 void require_outputs(const RunOptions& options) {
+    require_seeds(options.seed, options.seeds);
     auto outputs = options.outputs();
     if (options.seeds > 1 && !options.recorded.trace.empty())
         throw UserError(fmt::format("--trace: a timeline shows one run, but --seeds asks for {} runs", options.seeds));
@@ -199,9 +200,10 @@ std::vector<SeededLog> logs_of(std::vector<FinishedRun>& runs) {
     return logs;
 }
 
-std::string print_run(std::uint64_t seed, const RunResult& result) {
+std::string print_run(std::uint64_t seed, const RunReport& report) {
+    const RunResult& result = report.result;
     return fmt::format("{:>20}  {:016x}  {:>16}  {}\n", seed, result.fingerprint, to_string(result.time),
-                       name_of(result.ending));
+                       name_of(report.outcome()));
 }
 
 /// Describes the number of seeds that were run, and whether the runs were interrupted.
@@ -216,7 +218,7 @@ std::string print_runs(const Network& network, std::span<const FinishedRun> runs
     out +=
         painted(Paint::heading, fmt::format("\n{:>20}  {:<16}  {:>16}  {}\n", "seed", "fingerprint", "time", "ended"));
     for (std::size_t i = 0; i < runs.size(); ++i)
-        out += print_run(logs[i].seed, runs[i].report.result);
+        out += print_run(logs[i].seed, runs[i].report);
     return out + print_searches(logs);
 }
 
@@ -242,20 +244,14 @@ void write_files(const Network& network, std::span<const FinishedRun> runs, std:
         write_whole(options.convergence, draw_svg(convergence_plot(network.source_path, logs)));
 }
 
-bool has_failed_program(const FinishedRun& run) {
-    return std::ranges::any_of(run.report.programs, &ProgramUse::failed);
-}
-
 /// Returns the exit code of the first run that is not a success. If fewer runs were made than `asked`, an interruption
 /// came between two runs. `unread` is true if the runs were interrupted because the reader of a program's output has
 /// gone. Such an interruption counts as a success.
 ExitCode exit_code_of(std::span<const FinishedRun> runs, std::size_t asked, bool unread) {
     const ExitCode interrupted = unread ? ExitCode::success : ExitCode::interrupted;
     for (const FinishedRun& run : runs)
-        if (ExitCode code = exit_code_of(run.report.result.ending); code != ExitCode::success)
+        if (ExitCode code = exit_code_of(run.report.outcome()); code != ExitCode::success)
             return code == ExitCode::interrupted ? interrupted : code;
-    if (std::ranges::any_of(runs, has_failed_program))
-        return ExitCode::bad_input;
     return runs.size() == asked ? ExitCode::success : interrupted;
 }
 

@@ -34,8 +34,7 @@ ExitCode serve_page(ServiceSettings settings) {
 ExitCode start(const ServeOptions& options) {
     if (!options.job)
         return serve_page(options.settings);
-    do_job(options.settings.queue.run);
-    return ExitCode::success;
+    return do_job(options.settings.queue.run) ? ExitCode::success : ExitCode::bad_input;
 }
 
 Action declare(Options& command, const std::string&) {

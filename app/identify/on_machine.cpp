@@ -138,9 +138,9 @@ AnswerInTime answer_in_time(const ProcessSearch& search, const ComplianceSearch&
     SearchAnswers answers = search.answers();
     const RunReport report = run_netlist(search.network, search.problems, {.seed = seed, .observer = &answers});
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
-    if (report.result.ending != Ending::completed || rows.empty())
+    if (report.outcome() != RunOutcome::completed || rows.empty())
         throw UserError(fmt::format("{}: the processes gave no answer: {} at {:.3f} s", search.network.source_path,
-                                    name_of(report.result.ending), seconds(report.result.time)));
+                                    name_of(report.outcome()), seconds(report.result.time)));
     const std::size_t last = rows.back().generation, best = answers.fittest(last);
     AnswerInTime found{answers.of(best, last).values, answers.searches()[best]};
     const double first_s = prepared.samples.front().time_s;
@@ -163,8 +163,8 @@ ExitCode run_on_machine(const ProcessSearch& search, const Identified& native, c
     RunReport report = run_netlist(search.network, search.problems,
                                    {.seed = seed, .observer = &answers, .interruption = &interruption});
     print_out(fmt::format("\n{}\n", print_report(report, search.network)));
-    if (report.result.ending != Ending::completed)
-        return exit_code_of(report.result.ending);
+    if (report.outcome() != RunOutcome::completed)
+        return exit_code_of(report.outcome());
     const std::vector<SampleAnswers> rows = by_sample(search, answers, prepared.samples);
     if (rows.empty()) {
         print_out("the processes gave no answer: their first generation needs more samples than the record has\n");

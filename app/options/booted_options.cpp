@@ -35,7 +35,7 @@ std::string not_a_size(const std::string& text) {
     const std::uint64_t bytes = *size;
     if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         return fmt::format(
-            "{}: a processor that executes code needs 2K to just below 4G of memory, in steps of 256 bytes", text);
+            "{}: a processor that executes code needs 2K to just below 4096M of memory, in steps of 256 bytes", text);
     return "";
 }
 

@@ -7,15 +7,15 @@
 namespace placedpar {
 
 void require_end(const RunReport& report, const std::filesystem::path& netlist) {
-    if (Ending ending = report.result.ending; ending != Ending::completed)
+    if (RunOutcome outcome = report.outcome(); outcome != RunOutcome::completed)
         throw UnfinishedRun(fmt::format("{} did not complete: placedpar run shows where it stopped", netlist.string()),
-                            ending);
+                            outcome);
 }
 
 void end_if_requested(const Interruption& interruption) {
     if (interruption.requested())
         throw UnfinishedRun("interrupted: the experiment is incomplete, so no table or plot was made",
-                            Ending::interrupted);
+                            RunOutcome::interrupted);
 }
 
 RunReport run_to_the_end(const Network& network, const ProblemRegistry& problems, const ReplayContext& context) {

@@ -11,8 +11,8 @@ namespace placedpar {
 /// Thrown if a run does not complete: an incomplete run has no results to compare.
 class UnfinishedRun : public std::runtime_error {
 public:
-    UnfinishedRun(const std::string& what, Ending how) : std::runtime_error(what), ending(how) {}
-    Ending ending;
+    UnfinishedRun(const std::string& what, RunOutcome how) : std::runtime_error(what), outcome(how) {}
+    RunOutcome outcome;
 };
 
 /// Throws UnfinishedRun if an interruption was requested.

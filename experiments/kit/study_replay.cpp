@@ -27,10 +27,10 @@ namespace {
 void require_whole(const StudyOutcome& outcome, const std::string& netlist) {
     if (!outcome.refused.empty())
         throw UserError(outcome.refused);
-    for (Ending ending : {Ending::stuck, Ending::time_limit})
-        if (outcome.ended == name_of(ending))
+    for (RunOutcome ended : {RunOutcome::time_limit, RunOutcome::failed, RunOutcome::halted, RunOutcome::deadlock})
+        if (outcome.ended == name_of(ended))
             throw UnfinishedRun(fmt::format("{} did not complete: placedpar run shows where it stopped", netlist),
-                                ending);
+                                ended);
 }
 
 } // namespace

@@ -247,7 +247,7 @@ private:
     static void run(Attempt& attempt, Interruption& interruption) {
         try {
             const RunReport report = report_of(attempt.run, attempt.read(), interruption);
-            attempt.change->ending = report.result.ending;
+            attempt.change->outcome = report.outcome();
             attempt.change->time = report.result.time;
         } catch (const UserError& refused) {
             const std::string text = unpainted(refused.what());
@@ -268,7 +268,7 @@ private:
 Network load_compared(const ComparedRun& run) { return load_silently(run.parsed, run.set); }
 
 bool NetlistComparison::both_completed() const {
-    return report_a.result.ending == Ending::completed && report_b.result.ending == Ending::completed;
+    return report_a.outcome() == RunOutcome::completed && report_b.outcome() == RunOutcome::completed;
 }
 
 NetlistComparison compare_runs(const ComparedRun& a, const ComparedRun& b, const Interruption& interruption,

@@ -36,11 +36,11 @@ struct OneChange {
     std::string what;   ///< "clock of t[0]: 20000000 in A, 10000000 in B"
     Overrides set = {}; ///< settings that make the change; empty if the change is in the structure or in the run's
                         ///< settings
-    Ending ending = Ending::interrupted;
+    RunOutcome outcome = RunOutcome::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
 
-    bool completed() const { return refused.empty() && ending == Ending::completed; }
+    bool completed() const { return refused.empty() && outcome == RunOutcome::completed; }
 };
 
 struct NetlistComparison {

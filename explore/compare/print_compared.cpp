@@ -18,7 +18,7 @@ std::string share_of(Time part, Time whole) {
 }
 
 std::string print_ending(const char* letter, const std::string& name, const RunReport& report, const Network& network) {
-    return fmt::format("{}  {}: {} at {}; hash {:016x}\n", letter, name, name_of(report.result.ending),
+    return fmt::format("{}  {}: {} at {}; hash {:016x}\n", letter, name, name_of(report.outcome()),
                        to_string(report.result.time), network.hash);
 }
 
@@ -64,7 +64,7 @@ std::string print_row(Time change, Time whole, const std::string& what) {
 std::string print_change(const OneChange& change, Time of_a) {
     if (change.completed())
         return print_row(change.time - of_a, of_a, change.what);
-    return fmt::format("{:>25}  {}{}\n", change.refused.empty() ? name_of(change.ending) : "not alone", change.what,
+    return fmt::format("{:>25}  {}{}\n", change.refused.empty() ? name_of(change.outcome) : "not alone", change.what,
                        change.refused.empty() ? "" : ": " + change.refused);
 }
 

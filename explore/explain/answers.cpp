@@ -36,13 +36,13 @@ DeclaredWith declaring_with(const ChangedRuns& runs) {
     };
 }
 
-/// Returns why a run with this ending cannot be compared with changed runs; "" if it can.
-std::string why_not_compared(Ending ending) {
-    return ending == Ending::completed
+/// Returns why a run with this outcome cannot be compared with changed runs; "" if it can.
+std::string why_not_compared(RunOutcome outcome) {
+    return outcome == RunOutcome::completed
                ? ""
                : fmt::format("a comparison needs the time at which the work is done, but this run did not "
                              "complete ({})",
-                             name_of(ending));
+                             name_of(outcome));
 }
 
 } // namespace
@@ -59,7 +59,7 @@ Explanation explanation_of(RunReport report, const CriticalPath& path) {
 
 void add_answers(Explanation& explanation, const Network& network, const ChangedRuns& runs,
                  const Interruption& interruption) {
-    explanation.not_tried = why_not_compared(explanation.report.result.ending);
+    explanation.not_tried = why_not_compared(explanation.report.outcome());
     if (!explanation.not_tried.empty())
         return;
     const std::vector<Change> changes = changes_of(network, explanation.report, declaring_with(runs));

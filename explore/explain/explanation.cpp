@@ -149,7 +149,7 @@ std::string print_answer(const Answer& answer, Time whole) {
     std::string result =
         answer.completed()
             ? fmt::format("{:>12.6f}  {:>8}", in_milliseconds(answer.time), percent(whole - answer.time, whole))
-            : fmt::format("{:>22}", answer.refused.empty() ? name_of(answer.ending) : "refused");
+            : fmt::format("{:>22}", answer.refused.empty() ? name_of(answer.outcome) : "refused");
     std::string out = fmt::format("{}  {}  [{}]\n", result, name_of(answer.change), settings(answer.change.set));
     return answer.why.empty() ? out : out + fmt::format("{:>24}slower by {}\n", "", answer.why);
 }
@@ -250,7 +250,7 @@ boost::json::object answer_json(const Answer& answer) {
         json["refused"] = answer.refused;
         return json;
     }
-    json["ended"] = name_of(answer.ending);
+    json["ended"] = name_of(answer.outcome);
     json["time_ps"] = answer.time.count();
     if (!answer.why.empty())
         json["slower_by"] = answer.why;
@@ -261,7 +261,8 @@ boost::json::object answer_json(const Answer& answer) {
 
 std::string print_explanation(const Explanation& explanation, const Network& network) {
     const RunResult& result = explanation.report.result;
-    return fmt::format("{}: {} at {}\n", network.source_path, name_of(result.ending), to_string(result.time)) +
+    return fmt::format("{}: {} at {}\n", network.source_path, name_of(explanation.report.outcome()),
+                       to_string(result.time)) +
            print_verdict(explanation) + print_path(explanation) + print_answers(explanation) +
            accounts_of(explanation).text("\n") + print_machine(explanation);
 }
@@ -278,7 +279,7 @@ boost::json::object explanation_json(const Explanation& explanation, const Netwo
     const RunResult& result = explanation.report.result;
     const MachineRows machine = machine_of(explanation);
     boost::json::object json{{"netlist", network.source_path},
-                             {"ended", name_of(result.ending)},
+                             {"ended", name_of(explanation.report.outcome())},
                              {"time_ps", result.time.count()},
                              {"processes", json_of(accounts_of(explanation).rows)},
                              {"processors", json_of(machine.processors)},

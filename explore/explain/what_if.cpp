@@ -21,7 +21,7 @@ void run(Answer& answer, const WhatIfs& what_ifs, Interruption& interruption, Cr
     RunReport report =
         run_netlist(what_ifs.read(answer.change.set), known_problems(what_ifs.seed),
                     {.seed = what_ifs.seed, .until = what_ifs.until, .trace = path, .interruption = &interruption});
-    answer.ending = report.result.ending;
+    answer.outcome = report.outcome();
     answer.time = report.result.time;
 }
 
@@ -55,7 +55,7 @@ void try_out(Answer& answer, const std::vector<PathPart>& path, const WhatIfs& w
     }
 }
 
-auto rank(const Answer& answer) { return std::tuple(!answer.refused.empty(), answer.ending, answer.time); }
+auto rank(const Answer& answer) { return std::tuple(!answer.refused.empty(), answer.outcome, answer.time); }
 
 } // namespace
 
@@ -72,8 +72,9 @@ std::vector<Answer> try_out(const std::vector<Change>& changes, const std::vecto
     run_at_once(
         answers.size(), work, what_ifs.interruption, [&](std::size_t done) { what_ifs.progress(done, answers.size()); },
         what_ifs.at_once);
-    std::erase_if(answers,
-                  [](const Answer& answer) { return answer.refused.empty() && answer.ending == Ending::interrupted; });
+    std::erase_if(answers, [](const Answer& answer) {
+        return answer.refused.empty() && answer.outcome == RunOutcome::interrupted;
+    });
     std::ranges::stable_sort(answers, {}, rank);
     return answers;
 }

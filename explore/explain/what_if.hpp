@@ -18,14 +18,14 @@ using ChangedNetlist = std::function<Network(const Overrides&)>;
 
 struct Answer {
     Change change;
-    Ending ending = Ending::interrupted;
+    RunOutcome outcome = RunOutcome::interrupted;
     Time time{};
     std::string refused = ""; ///< first line of the refusal; "" if the netlist was accepted
     /// If the changed run takes at least 0.1 % longer than the unchanged run: the activity whose time on the critical
     /// path grew most. "" otherwise, or if the changed path is too long to be recorded.
     std::string why = "";
 
-    bool completed() const { return refused.empty() && ending == Ending::completed; }
+    bool completed() const { return refused.empty() && outcome == RunOutcome::completed; }
 };
 
 /// Returns whether the run did not complete, or took at least 0.1 % more or less time than the unchanged run.

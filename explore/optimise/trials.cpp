@@ -76,7 +76,7 @@ Trial MachineTrials::trial_of(const Overrides& settings) {
         trial.simulated |= outcome.refused.empty();
         if (!outcome.refused.empty())
             trial.why = outcome.refused;
-        else if (outcome.ended != name_of(Ending::completed))
+        else if (outcome.ended != name_of(RunOutcome::completed))
             trial.why = outcome.ended;
         else
             add_figures(trial, outcome.figures);

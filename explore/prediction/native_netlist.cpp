@@ -9,6 +9,7 @@
 #include "netlist/network/names.hpp"
 #include "netlist/print/print.hpp"
 #include "netlist/read.hpp"
+#include "text/load_source.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +48,8 @@ class StatedCosts {
 public:
     /// Throws UserError if a netlist cannot include the file.
     explicit StatedCosts(std::filesystem::path path) : path_(std::move(path)), include_(include_of(path_)) {
+        if (const std::string why = why_not_a_file(path_); !why.empty())
+            throw UserError(fmt::format("{}: {}", path_.string(), why));
         const ReadResult read = read_netlist_text(include_, devices_);
         if (!read.network)
             refuse("the file does not describe a computer", "\n" + render(read));

@@ -158,7 +158,7 @@ private:
         if (!found)
             throw std::invalid_argument(
                 fmt::format("a table needs the run with {}, which has not been made", shown_settings(run.set)));
-        if (found->ended != name_of(Ending::completed))
+        if (found->ended != name_of(RunOutcome::completed))
             throw UserError(found->refused.empty() ? found->ended : found->refused);
         return *found;
     }

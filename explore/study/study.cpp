@@ -43,6 +43,8 @@ std::uint64_t count_with(std::uint64_t seeds, const StudyProduct& product) {
     return runs;
 }
 
+} // namespace
+
 void require_seeds(std::uint64_t first, std::uint64_t seeds) {
     if (seeds == 0)
         throw UserError("the number of seeds is 0, expected at least 1");
@@ -50,8 +52,6 @@ void require_seeds(std::uint64_t first, std::uint64_t seeds) {
         throw UserError(
             fmt::format("{} from {} on are too many: the greatest seed is {}", counted(seeds, "seed"), first, most));
 }
-
-} // namespace
 
 Overrides StudyTable::set(const StudyRow& row, const StudyVariant& column) const {
     Overrides set = row.runs.set;

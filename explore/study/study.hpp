@@ -83,6 +83,9 @@ struct Study {
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
+/// Throws UserError unless there are consecutive seeds from `first` on, `seeds` of them and at least one.
+void require_seeds(std::uint64_t first, std::uint64_t seeds);
+
 /// Finds the runs of a study by their numbers. A binary search finds the product of a run; since tables make a product
 /// for each cell, loops over all runs would otherwise be slow. REQUIRES: the study outlives this object, and its
 /// products and seeds do not change.

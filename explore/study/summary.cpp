@@ -20,7 +20,8 @@ using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
     Measured figures(measures.size());
-    if (outcome.ended != name_of(Ending::stuck)) // measurements before a deadlock belong to an incomplete run
+    // In all other cases, such as a deadlock, the work was not done, so the figures would mislead.
+    if (outcome.ended == name_of(RunOutcome::completed) || outcome.ended == name_of(RunOutcome::time_limit))
         std::ranges::transform(measures, figures.begin(),
                                [&](const StudyMeasure& each) { return each.of(outcome.figures); });
     return figures;
@@ -84,7 +85,7 @@ void Gathered::add(std::uint64_t seed, const StudyOutcome& outcome, const Measur
                    std::vector<std::string>& units) {
     line.cells.resize(figures.size());
     ++line.runs;
-    if (outcome.ended != name_of(Ending::completed))
+    if (outcome.ended != name_of(RunOutcome::completed))
         ++line.ended[outcome.ended];
     if (!outcome.refused.empty() && line.refused.empty())
         line.refused = outcome.refused.substr(0, outcome.refused.find('\n'));

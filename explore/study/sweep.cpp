@@ -121,7 +121,7 @@ using RunMaker = std::function<std::optional<StudyOutcome>(const StudyRun&, Inte
 RunMaker maker_of(const Study& study) {
     if (study.function)
         return [&](const StudyRun& run, Interruption&) {
-            return StudyOutcome{.ended = name_of(Ending::completed), .figures = study.function(run)};
+            return StudyOutcome{.ended = name_of(RunOutcome::completed), .figures = study.function(run)};
         };
     return [worker = std::make_shared<StudyWorker>(study)](const StudyRun& run, Interruption& interruption) {
         return worker->outcome_of(run, interruption);
@@ -206,7 +206,7 @@ std::optional<StudyOutcome> StudyWorker::outcome_of(const StudyRun& run, Interru
         RunReport report = report_of(run, interruption);
         if (report.result.ending == Ending::interrupted)
             return std::nullopt;
-        return StudyOutcome{.ended = name_of(report.result.ending),
+        return StudyOutcome{.ended = name_of(report.outcome()),
                             .time = report.result.time,
                             .fingerprint = report.result.fingerprint,
                             .netlist_hash = network_.hash,
@@ -284,7 +284,7 @@ std::optional<StudyFigures> StudySweep::figures_near(std::uint64_t index, bool f
         std::optional<StudyOutcome> outcome = results_.find(*run);
         if (!outcome && !(outcome = timed_outcome(*run, interruption)))
             return std::nullopt;
-        if (outcome->ended == name_of(Ending::completed))
+        if (outcome->ended == name_of(RunOutcome::completed))
             return outcome->figures;
     }
     return std::nullopt;

@@ -319,6 +319,15 @@ private:
                                   text_of(process, "problem"), name(other), text_of(other, "problem")));
     }
 
+    void check_that_each_slave_has_work(std::int64_t population, std::int64_t slaves) {
+        const bool master_works = number("own_share") > 0 || text("split") == "demand";
+        if (slaves + (master_works ? 1 : 0) > population)
+            refuse("slaves",
+                   fmt::format("slaves = {}, but a population of {} has work for at most {}{}", slaves, population,
+                               counted(static_cast<std::size_t>(population - (master_works ? 1 : 0)), "slave"),
+                               master_works ? ", because the master also evaluates" : ""));
+    }
+
     void check_slaves() {
         std::int64_t population = integer("population"), slaves = integer("slaves");
         SlaveTree tree = follow_slaves(network_, process_);
@@ -326,11 +335,8 @@ private:
         if (tree.complaints.empty() && tree.others == 0 && std::cmp_not_equal(tree.slaves.size(), slaves))
             refuse("slaves", fmt::format("slaves = {}, but the number of slaves connected to \"{}.to_slaves\" is {}",
                                          slaves, name(process_), tree.slaves.size()));
-        else if (slaves >= population)
-            refuse("slaves",
-                   fmt::format("slaves = {}, but a population of {} has work for at most {}, because the "
-                               "master also evaluates",
-                               slaves, population, counted(static_cast<std::size_t>(population) - 1, "slave")));
+        else
+            check_that_each_slave_has_work(population, slaves);
         std::size_t individuals =
             most_individuals(static_cast<std::size_t>(population), static_cast<std::size_t>(slaves),
                              split_named(text("split")), number("own_share"));

@@ -127,10 +127,6 @@ Farm::Settings read_farm_settings(const ProcessEnvironment& environment) {
     settings.tasks_under_way = size(environment, "tasks_under_way");
     settings.results_in_order = settings.split != Split::demand && environment.text("results") == "chain";
     settings.measurements_every_generation = environment.text("measurements") == "generation";
-    if (settings.slaves >= size(environment, "population"))
-        throw UserError(fmt::format(
-            "slaves = {}, but a population of {} has work for at most {}, because the master also evaluates",
-            settings.slaves, environment.integer("population"), counted(size(environment, "population") - 1, "slave")));
     return settings;
 }
 

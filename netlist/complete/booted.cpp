@@ -130,7 +130,7 @@ void check_executes(Completion& c, const Node& node, const std::vector<SecondPla
     else if (const std::int64_t bytes = node.integer("memory"); bytes < 2048 || bytes > 0xffff'ff00 || bytes % 256 != 0)
         c.reporter.error(node.declared,
                          fmt::format("\"{}\" has {} bytes of memory, but a processor that executes code needs 2K to "
-                                     "just below 4G, in steps of 256 bytes",
+                                     "just below 4096M, in steps of 256 bytes",
                                      node.name, bytes),
                          "", reason);
 }

@@ -44,6 +44,11 @@ Value checked_value(const FaultKind& kind, const Setting& setting, Reporter& rep
 
 /// Returns the fault with its kind and the failing link, connection or device, but without its attributes.
 DraftFault Elaborator::failing(const FaultStatement& form) {
+    if (form.what.name == "wire" &&
+        scopes_.find("wire") == nullptr) // the name that options use for unnamed connections
+        refuse(form.what.at, "only a connection that the netlist names can have a fault",
+               "state one of its links, such as fault t[0].link[1] silent; or name the connection, as in "
+               "connect t[0].link[1] to t[1].link[0] by cable;");
     auto found = find(form.what);
     DraftFault draft;
     draft.fault.kind = form.fault;

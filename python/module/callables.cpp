@@ -133,12 +133,21 @@ struct CallableAcceptance : Callable {
     }
 };
 
+/// Returns a hint for a user who gave a number: in a netlist, these names are probabilities.
+std::string hint_for(const std::string& step) {
+    return step == "mutation" || step == "crossover" ? "; " + step + "_probability sets how often it happens" : "";
+}
+
 /// Returns the policy with this name, or a policy that calls this function in Python. If the policy has a numerical
 /// setting, an attribute of the function may set it.
 template <class Step, class Own, class Policy>
 Step step_of(const std::string& step, const py::object& given_policy, const PolicyFailure& failure) {
     if (py::isinstance<py::str>(given_policy))
         return Step::named(given_policy.cast<std::string>());
+    if (!PyCallable_Check(given_policy.ptr()))
+        throw py::type_error(py::str("{} is {!r}, expected the name of a policy or a function{}")
+                                 .format(step, given_policy, hint_for(step))
+                                 .template cast<std::string>());
     Policy policy;
     policy.function = SharedObject(given_policy);
     policy.failure = failure;

@@ -106,7 +106,7 @@ py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const 
     for (const std::string& text : measures) {
         const StudyMeasure measure(text);
         const auto figure = measure.of(figures);
-        if (!figure && run.report.result.ending == Ending::completed)
+        if (!figure && run.report.outcome() == RunOutcome::completed)
             throw UserError(there_is_no_measure(measure, figures));
         found.append(figure ? py::cast(figure->value) : py::none());
     }
@@ -188,7 +188,7 @@ void add_runs(py::module_& module) {
     py::class_<FinishedRun>(module, "Run")
         .def_property_readonly("fingerprint", [](const FinishedRun& run) { return run.report.result.fingerprint; })
         .def_property_readonly("outcome",
-                               [](const FinishedRun& run) { return std::string(name_of(run.report.result.ending)); })
+                               [](const FinishedRun& run) { return std::string(name_of(run.report.outcome())); })
         .def_property_readonly("time_ps", [](const FinishedRun& run) { return run.report.result.time.count(); })
         .def_property_readonly("events", [](const FinishedRun& run) { return run.report.result.events; })
         .def("log_csv",

@@ -10,6 +10,7 @@
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -33,6 +34,8 @@ void tell(const py::object& progress, std::size_t ended, std::size_t all) {
 }
 
 StudyAxis axis_of(const std::string& name, const std::vector<std::string>& values) {
+    if (values.empty())
+        throw UserError(fmt::format("{} has no values: give at least one, such as {}=[1, 2]", name, name));
     StudyAxis axis{name, {}};
     for (const std::string& value : values)
         axis.parts.emplace_back(name, value);

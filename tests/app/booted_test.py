@@ -305,7 +305,7 @@ generations = 3
         self.assertRegex(done.stdout, r"\nthe best: placedpar run \S*net.cfs --set root.clock=30M --set root.linkspeed=20M ")
 
     def test_wrong_options_of_booted_programs_are_refused_with_what_would_be_right(self):
-        size = ": a processor that executes code needs 2K to just below 4G of memory, in steps of 256 bytes\n"
+        size = ": a processor that executes code needs 2K to just below 4096M of memory, in steps of 256 bytes\n"
         for options, message in (
                 (["--env", "FOO"], "placedpar: --env FOO: expected NAME=VALUE, such as --env ISEARCH=libs/\n"),
                 (["--env", "A=1", "--env", "A=2"], "placedpar: --env A=2: A is set twice\n"),

@@ -121,7 +121,7 @@ class Calibrate(unittest.TestCase):
                 (("calibrate", "--repetitions", "5"), "5"),
                 (("calibrate", *FEW, "-o", "/no/such/folder/here.inc"), "/no/such/folder"),
                 (("calibrate", "nothing.cfs"), "nothing.cfs"),
-                (("run", ISLANDS, "--predict", "nothing.inc"), "nothing.inc"),
+                (("run", ISLANDS, "--predict", "nothing.inc"), "placedpar: nothing.inc: this file does not exist\n"),
                 (("run", ISLANDS, "--predict", ISLANDS), "the file does not describe a computer"),
                 (("run", ISLANDS, "--predict", self.here, "--native"), "leave out --native, or --predict"),
                 (("run", ISLANDS, "--predict", self.here, "--set", "problem=sphere"), 'no cost of the problem "sphere"'),

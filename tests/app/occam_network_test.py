@@ -101,7 +101,7 @@ CONFIG
 :
 """, encoding="ascii")
         halted = placedpar("run", configuration)
-        self.assertEqual(halted.returncode, 2, halted.stdout + halted.stderr)
+        self.assertEqual(halted.returncode, 1, halted.stdout + halted.stderr)
         self.assertRegex(halted.stdout, r"\A\S*two\.pgm: halted by an error at \d+\.\d+ us\nfingerprint: \w+\n\n"
                                         r"a stopped at \S*two\.pgm:13:5: division by zero: 5 / 0, in p, at .*\n\n")
         self.assertRegex(halted.stdout, r"\nq +inputs +p\.c -> q\.c +\S*two\.pgm:17:3\n")

@@ -91,6 +91,25 @@ class Vals(unittest.TestCase):
         self.assertIn("compile it: placedpar compile vals.occ", self.ask("show", status=1))
         self.assertTrue(self.ask("show", "--format", "svg").startswith("<svg"))
 
+    def test_figures_of_a_program_that_an_error_has_ended_are_not_used(self):
+        """With n = 0, 1 the program completes; with n = 2 it exits with failure, and with n = 3 an error halts it."""
+        (self.folder / "vals.occ").write_text(
+            '#INCLUDE "hostio.inc"\n#USE "hostio.lib"\nVAL INT n IS 0:\n'
+            "PROC p (CHAN OF SP fs, ts)\n  [3]INT x:\n  INT i:\n  SEQ\n    i := n\n    x[i] := n\n    IF\n      n = 2\n"
+            "        so.exit (fs, ts, sps.failure)\n      TRUE\n        so.exit (fs, ts, sps.success)\n:\n", encoding="ascii")
+        rows = [line.split(maxsplit=3) for line in self.ask("sweep", "n=0..3").splitlines()[3:7]]
+        self.assertEqual([row[0::3] for row in rows], [["0"], ["1"], ["2", "failed"], ["3", "halted by an error"]])
+        self.assertEqual([row[2] == "-" for row in rows], [False, False, True, True])
+        explained = placedpar("explain", "vals.occ", "--set", "n=3", folder=self.folder)
+        self.assertEqual(explained.returncode, 1)
+        self.assertRegex(explained.stdout, r"\A\S+: halted by an error at .*\n")
+        compared = placedpar("compare", "vals.occ", "vals.occ", "--set", "n=2", folder=self.folder)
+        self.assertEqual(compared.returncode, 1)
+        self.assertRegex(compared.stdout, r"\AA  .*: failed at ")
+        seeds = placedpar("run", "vals.occ", "--set", "n=3", "--seeds", "2", "--json", "r.json", folder=self.folder)
+        self.assertEqual(seeds.returncode, 1)
+        self.assertEqual((self.folder / "r.json").read_text(encoding="ascii").count('"outcome": "halted by an error"'), 2)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -130,6 +130,8 @@ class Studies(unittest.TestCase):
                                  progress=lambda ended, missing: made.append((ended, missing))))
             with self.assertRaisesRegex(pp.Error, "the number of seeds is 0, expected at least 1"):
                 pp.sweep(net, slaves=[1], seeds=0)
+            with self.assertRaisesRegex(pp.Error, "slaves has no values: give at least one"):
+                pp.sweep(net, slaves=range(3, 1))
         self.assertEqual(made[-1], (2, 2))
         self.assertEqual([(row["slaves"], row["seed"]) for row in both], [(1, 1), (1, 2), (2, 1), (2, 2)])
         self.assertEqual([row["slaves"] for row in found], [1, 2])

@@ -197,6 +197,11 @@ class Searches(unittest.TestCase):
         with self.assertRaises(KeyboardInterrupt):
             pp.search(sphere, BOX, reproduction=interrupts)
         self.assertIn("value nan", repr(pp.search(lambda rows: numpy.full(len(rows), numpy.nan), BOX, generations=2)))
+        with self.assertRaisesRegex(TypeError, "mutation is 0.05, expected the name of a policy or a function; "
+                                               "mutation_probability sets how often it happens"):
+            pp.search(sphere, BOX, mutation=0.05)
+        with self.assertRaisesRegex(TypeError, "topology is 3, expected the name of a policy or a function$"):
+            pp.search(sphere, BOX, topology=3)
         with self.assertRaisesRegex(TypeError, "needs bounds"):
             pp.search(sphere)
         for message, wrong in (("islands is 'x', expected a whole number", {"islands": "x"}),

@@ -5,9 +5,10 @@ import json
 import os
 import random
 import socket
+import subprocess
 import unittest
 
-from serving import SECONDS, ServiceTest
+from serving import PROGRAM, SECONDS, ServiceTest
 
 RING = "csp/deadlock/ring.cfs"
 SEED = int(os.environ.get("PLACEDPAR_SEED", "1"))
@@ -67,10 +68,20 @@ class Hostile(ServiceTest):
                          (good | {"files": good["files"] | {f"{i}.cfs": "" for i in range(30)}}, "the job has more than 20 files")):
             status, _, text = self.service.post(job)
             self.assertEqual((status, text), (400, f"the request is not a job: {why}\n"), job)
+            if "more than 20" not in why:  # the service adds the examples to a job, so --job has no such limit
+                self.assertEqual(self.refusal_of_job(json.dumps(job)), f"this is not a job: {why}")
+        self.assertEqual(self.refusal_of_job('{"do": '), "this is not a job: it is not JSON: incomplete JSON")
         self.assertEqual(self.service.ask("POST", "/job", "[" * 100000, Content_Type="application/json")[0], 400)
         answer = self.raw(b"POST /job HTTP/1.1\r\nHost: localhost\r\nContent-Type: application/json\r\nContent-Length: 300000\r\n\r\n")
         self.assertIn(b" 413 ", answer)
         self.assertIn(b"the body has more than 262144 bytes\n", answer)
+
+    @staticmethod
+    def refusal_of_job(text):
+        """Returns why "serve --job" refuses this text."""
+        run = subprocess.run([PROGRAM, "serve", "--job"], input=text, capture_output=True, text=True, timeout=SECONDS, check=False)
+        answer = json.loads(run.stdout)
+        return answer["refused"] if (run.returncode, answer["ended"]) == (1, "refused") else run
 
     def test_scripts_in_names_stay_text(self):
         name = "<script>alert(1)</script>.cfs"
