@@ -4,7 +4,8 @@
 
 namespace placedpar {
 
-/// Rare conditions of a run, kept as one bit set so that the kernel tests them all at once in each of its steps.
+/// Conditions that are seldom true of a run. They share one word, so that the kernel can test all of them at once in
+/// each of its steps.
 class RareConditions {
 public:
     enum Circumstance : unsigned {
@@ -13,9 +14,9 @@ public:
         at_the_limit = 4,    ///< the next event is beyond the time limit
         interrupted = 8,     ///< the run was interrupted from outside
         unwinding = 16,      ///< the run is over, and its processes are unwound
-        histories = 32,      ///< a process keeps a history
-        shuffled = 64,       ///< the ready queue is shuffled
-        unguarded = 128,     ///< some stacks have no guard page
+        histories = 32,      ///< processes keep logs of their actions (runtime/replay_log.hpp)
+        shuffled = 64,       ///< ready processes run in a random order
+        unguarded = 128,     ///< some stacks have no guard page, which would detect an overflow
         native = 256         ///< the run uses the wall clock, and other kernels send messages
     };
 
