@@ -148,7 +148,7 @@ public:
     std::string partner_device() const { return carrier_ ? carrier_->partner_device() : ""; }
 
     /// Describes a packet that is the current message of this channel between two routers. `channel` is the user's
-    /// channel to which the packet belongs; null if the message is no packet. `acknowledges`: the packet is an
+    /// channel to which the packet belongs; null for a message that is not a packet. `acknowledges`: the packet is an
     /// acknowledge.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
