@@ -51,9 +51,10 @@ struct SwitchAnswer {
 ///
 /// We assume the following. Data is also lost if an output repeats it that is not wired to the other end of its link.
 /// On a new connection, data is lost until the next command 3. To make a connection again, or to make other
-/// connections, does not disturb a connection. \ \The class is an executive, that is, it executes processes: a process
-/// on the switch inputs commands from the configuration link and obeys them. This process takes no time beyond the time
-/// of the link.
+/// connections, does not disturb a connection.
+///
+/// The class is an executive, that is, it executes processes. A process on the switch inputs commands from the
+/// configuration link and obeys them. This process takes no time beyond the time of the link.
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
