@@ -23,7 +23,8 @@ std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     return history ? history->observe(what, look) : look();
 }
 
-// The next functions are not inlined, so that the stack frames of the many processes without a history stay small.
+// The next functions serve the few processes that keep a history. They are not inlined, so that the stack frames of
+// other processes stay small.
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), ReplayLog::Action::now, [&] {
@@ -33,7 +34,7 @@ std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     })};
 }
 
-/// Records a delay. Returns whether the process only replays a history.
+/// Records a delay in the history. Returns whether the process only repeats the history, in which delays take no time.
 [[gnu::noinline]] bool only_repeats(ReplayLog& history, Time due) {
     history.record(ReplayLog::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
     return history.repeats();

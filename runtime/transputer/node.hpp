@@ -79,7 +79,7 @@ public:
 
     /// Returns whether the first process of the program that start() began has ended.
     bool has_ended(const Image&) const;
-    /// Sets a function to call when the node becomes idle: see is_idle().
+    /// Sets a function to call when only a link can wake the node: no process can run, and no timer is set.
     void when_idle(std::function<void()> f) { when_idle_ = std::move(f); }
 
     /// Stops the node at a time, as a fault. From then on, the node executes nothing, and obeys no commands to boot.
