@@ -22,8 +22,8 @@
 
 namespace placedpar {
 
-/// Is called when a message begins to wait in a channel. An ALT listens to its channels. A communication that may be
-/// given up (runtime/recovery.hpp) listens to the channel whose message ends it.
+/// A listener is called when a message begins to wait in a channel. An ALT listens to its channels. A communication
+/// that may be given up (runtime/recovery.hpp) listens to the channel whose message ends it.
 class Listener {
 public:
     /// Called when a message begins to wait in the channel while no process is inputting from the channel.
@@ -33,7 +33,7 @@ protected:
     ~Listener() = default;
 };
 
-/// Is called when a communication that may be given up has begun.
+/// An observer is called when a communication that may be given up has begun.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -95,7 +95,7 @@ public:
     void expect_outputter(const Process&);
     void expect_inputter(const Process&);
 
-    // The next functions are for alternations.
+    // The next functions are for ALTs.
     /// Returns whether a message waits to be input.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
     /// Reserves the waiting message for the next input. Returns false if its sender has given up the message.

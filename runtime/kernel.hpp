@@ -123,17 +123,17 @@ public:
     /// Runs other processes until the running process is made ready, but does not take it off its executive. For a
     /// process that keeps its executive while it computes, and for a process that has already left its executive.
     void give_way();
-    /// Begins an operation of the running process: output, input, ALT, computation, delay or PAR. Returns the log in
-    /// which the process must record the operation (Process::keep), or null if the process has no log. Throws Unwinding
-    /// when the simulation is over. In a run with logs, throws Unwinding also after an interruption, because a process
-    /// that repeats its log never waits. Ends the program with a message if the process has caught Unwinding many
-    /// times.
+    /// Begins an operation of the running process: output, input, ALT, computation, delay or PAR. Returns the process's
+    /// history, that is, the log in which it must record the operation (Process::keep), or null if it keeps none.
+    /// Throws Unwinding when the simulation is over. In a run with histories, throws Unwinding also after an
+    /// interruption, because a process that repeats its history never waits. Ends the program with a message if the
+    /// process has caught Unwinding many times.
     ReplayLog* begin_operation(const Process& running) {
         if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::histories)) [[unlikely]]
             return attend(running);
         return nullptr;
     }
-    /// Returns whether processes record their operations in logs.
+    /// Returns whether processes record their operations in histories.
     bool keeps_histories() const { return hot_.rare_conditions.any_of(RareConditions::histories); }
     /// Counts an operation that took no virtual time, to detect a process that polls for ever without letting time
     /// pass. From the operation after the first `unchecked` ones on, throws Unwinding if the run was interrupted. After

@@ -74,8 +74,8 @@ struct Join {
                                      ///< numbers
 };
 
-/// A communication that a process begins after a computation, such as the computation of its cost. The kernel begins
-/// the communication itself, and does not resume the process before. This saves a context switch.
+/// A communication that a process begins after a computation, such as the computation of its cost. To save a context
+/// switch, the kernel begins the communication without resuming the process after the computation.
 class Communication {
 public:
     Communication() = default;
@@ -87,9 +87,9 @@ protected:
 
 private:
     friend class Process;
-    /// Called at the process's turn. Returns whether the process must wait. Then the function has called
-    /// Process::begin_wait; otherwise the process continues. The kernel calls the function on the stack of any process,
-    /// but Kernel::running() returns the process that communicates. The function itself must not wait.
+    /// Called at the process's turn. If the process must wait, calls Process::begin_wait and returns true; otherwise
+    /// returns false, and the process continues. The kernel calls the function on the stack of any process, but
+    /// Kernel::running() returns the process that communicates. The function itself must not wait.
     virtual bool begin(Process&) noexcept = 0;
 };
 
@@ -132,10 +132,10 @@ public:
     /// Makes the process a part of the machine, such as a router's process. The run can end before such a process ends.
     void serve_machine();
     bool serves_machine() const { return machine_; }
-    /// Makes the process record its actions in the log, or repeat a recorded log without the machine
-    /// (runtime/replay_log.hpp). REQUIRES: the process has not begun; the log outlives the run.
+    /// Makes the process record its actions in a log, its history, or repeat a recorded history without the machine
+    /// (runtime/replay_log.hpp). REQUIRES: the process has not begun; the history outlives the run.
     void keep(ReplayLog&);
-    /// Returns the process's log. Null if the process has none, and while the process is unwound after the run.
+    /// Returns the process's history. Null if the process keeps none, and while the process is unwound after the run.
     ReplayLog* history() const { return history_; }
 
     // The next functions are for reports.

@@ -28,12 +28,12 @@ struct ReplaySession {
 
 /// The history of a process in a run: its actions, and what it observed apart from messages. Such observations are the
 /// guards that its ALTs chose, and the times that its clocks showed. With histories, a run can be repeated with other
-/// data, but without the slow simulation of the machine.
+/// data, without the slow simulation of the machine.
 ///
 /// A process repeats its history with messages of other contents. Its ALTs choose the same guards, and its clocks show
-/// the same times, as in the original run. If every process does exactly what its history says, the machine would take
-/// the same times with the new messages, too: the machine only sees the processes' actions, and these are the same. If
-/// a process acts differently, the repetition is useless, and ends. (T. LeBlanc and J. Mellor-Crummey, Debugging
+/// the same times, as in the original run. Suppose that every process does exactly what its history says. Then the
+/// machine would also take the same times with the new messages, because the machine sees only the processes' actions.
+/// If a process acts differently, the repetition ends without a result. (T. LeBlanc and J. Mellor-Crummey, Debugging
 /// parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987. The order in which processes
 /// run does not change the order of messages on a channel: G. Kahn, The semantics of a simple language for parallel
 /// programming, 1974.)

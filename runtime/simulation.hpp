@@ -23,7 +23,7 @@ namespace placedpar {
 struct RunResult {
     Ending ending = Ending::completed;
     Time time{};                   ///< virtual time at the end of the work
-    std::uint64_t fingerprint = 0; ///< hash of all events of the run, in order: equal for equal runs
+    std::uint64_t fingerprint = 0; ///< hash of the run's communications, with their times: equal for equal runs
     std::uint64_t events = 0;      ///< number of the machine's events; a measure of the effort of the simulation
     /// If the run ended stuck: the report of all processes that are left. If the run was stopped early: the report of
     /// those processes that would never have continued, if any.

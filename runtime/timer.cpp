@@ -16,7 +16,8 @@ struct Alarm final : Event {
     Process& process;
 };
 
-/// Returns the value of look() or, while the process replays a history, the value that was recorded.
+/// Returns the value of look(), or the recorded value if the process repeats a history (a log of its actions:
+/// runtime/replay_log.hpp).
 template <class Look>
 std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     ReplayLog* history = self.history();

@@ -17,9 +17,9 @@
 
 namespace placedpar::hardware {
 
-/// Is called before an end of a link changes the link's state by LinkDirection::give(), take() or a reset. An emulated
-/// transputer executes its code ahead of virtual time. After this call it returns to the present, so that its execution
-/// can take the change into account. The function must not wait or throw.
+/// A watcher is called before an end of a link changes the link's state by LinkDirection::give(), take() or a reset. An
+/// emulated transputer executes its code ahead of virtual time. After this call it returns to the present, so that its
+/// execution can take the change into account. The function must not wait or throw.
 class LinkEngineWatcher {
 public:
     virtual void link_will_change() = 0;
@@ -216,7 +216,7 @@ private:
         ByteUser &sender, &receiver;
         std::uint32_t to_give = 0, to_take = 0; ///< bytes of give() and take() beyond the current part
         std::uint32_t agreed = 0;               ///< bytes of the current part that belong to the current take()
-        std::uint32_t given = 0;                ///< the count of give()
+        std::uint32_t given = 0;                ///< the number of bytes of the current give()
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
     void tell_watchers() const;

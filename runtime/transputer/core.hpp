@@ -190,7 +190,7 @@ public:
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
-    /// Is called for each instruction, for listings and debuggers. REQUIRES: the watcher only reads the core.
+    /// A watcher is called for each instruction, for listings and debuggers. REQUIRES: the watcher only reads the core.
     class Watcher {
     public:
         /// Called before an instruction is executed. `at`: address of the instruction's first byte, including its
@@ -221,7 +221,8 @@ public:
         stops, ///< the process has left the processor and waits for nothing, or the core has stopped
         ends
     };
-    /// Is called when processes change their activity, for traces. REQUIRES: the watcher only reads the core.
+    /// A watcher of processes is called when they change their activity, for traces. REQUIRES: the watcher only reads
+    /// the core.
     class ProcessWatcher {
     public:
         /// Called when a process changes its activity, at the local time. `workspace` is the process's present

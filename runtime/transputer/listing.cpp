@@ -152,8 +152,7 @@ void Listing::begins(Word at) {
         code_has_changed(here, offset);
 }
 
-/// Is called when the code at an address has changed. Continues the count of the new code if this code was there
-/// before, otherwise begins a new count.
+/// Continues the count of the new code if this code was there before, otherwise begins a new count.
 void Listing::code_has_changed(Place& here, Word offset) {
     const auto memory = core_.memory().bytes(offset, core_.memory().size() - offset);
     const auto code = memory.first(read_instruction(memory, core_.model()).length);
