@@ -45,7 +45,7 @@ private:
             guards.push_back({Guard::input, &from_worker.channel()});
         return guards;
     }
-    /// Returns the worker for the next task: for "turn", the worker whose turn it is; for "idle", the first idle
+    /// Returns the worker for the next task. For "turn" this is the worker whose turn it is; for "idle", the first idle
     /// worker, or worker 0 if none is idle.
     std::size_t next_worker() const {
         if (by_turns_)

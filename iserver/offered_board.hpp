@@ -9,9 +9,9 @@
 
 namespace placedpar::iserver {
 
-/// Offers an emulated transputer to other programs as if it were a real board: another program, such as a server of
-/// INMOS's, boots it and serves its requests. The connection is a socket or a pseudo terminal, which bears the bytes of
-/// the transputer's link.
+/// Offers an emulated transputer to other programs as if it were a real board. Another program, such as a server of
+/// INMOS's, boots the transputer and serves its requests. The connection is a socket or a pseudo terminal, over which
+/// the bytes of the transputer's link travel.
 class OfferedBoard {
 public:
     /// `where` is "pty", "tcp:PORT" for programs on this computer only, or "tcp:ADDRESS:PORT". Port 0 means any free

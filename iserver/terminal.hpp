@@ -47,10 +47,10 @@ private:
     std::function<void(std::string_view)> screen_;
 };
 
-/// Makes a program's output safe for a terminal, so that the output cannot send an answer to the keyboard, change a
-/// window's title or leave the terminal in another mode. These pass unchanged: UTF-8, newline, return, tab, backspace,
-/// bell, and the ANSI sequences that move the cursor, clear the screen or a line, or set colours. Other control
-/// characters become ^A, ^[ and so on; other bytes become \xff and so on.
+/// Makes a program's output safe for a terminal. Unsafe output could send an answer to the keyboard, change a window's
+/// title, or leave the terminal in another mode. These pass unchanged: UTF-8, newline, return, tab, backspace, bell,
+/// and the ANSI sequences that move the cursor, clear the screen or a line, or set colours. Other control characters
+/// become ^A, ^[ and so on; other bytes become \xff and so on.
 class VisibleText {
 public:
     /// Returns the visible form of the bytes. A sequence or character that is not complete waits for later bytes.

@@ -26,8 +26,8 @@ class Group;
 /// as long.
 inline constexpr Time most_patience = std::chrono::microseconds(20);
 
-/// The connection of a kernel to the other kernels of a native run on threads, whose processes run in real time:
-/// receives their messages, and puts the thread to sleep while there is nothing to do.
+/// Connects a kernel with the other kernels of a native run, whose processes run in real time on several threads.
+/// Receives their messages, and lets the thread sleep while it has nothing to do.
 class Member final : public Surroundings {
 public:
     Member(Group& group, Simulation& simulation) : group_(group), simulation_(simulation) {}

@@ -6,7 +6,7 @@
 
 namespace placedpar::native {
 
-/// Outputs a message to a process on another thread or rank of a native run: calls `offer`, which offers the message,
+/// Outputs a message to a process on another thread or rank of a native run. Calls `offer`, which offers the message,
 /// and waits until the message has been taken. If the run is recorded for a trace, the wait begins before the offer.
 /// Otherwise the record could show that the message was taken before its output began. If the run is not recorded, the
 /// offer comes first, which is faster for the receiver.

@@ -33,10 +33,10 @@ void require_enough_nodes(const Network&, std::size_t ranks);
 /// on the computing times of their processes:
 ///
 /// - Without loads, node i of the nodes with processes, counted from 0, is on place i modulo the number of places.
-/// - With loads, one for each node, the nodes are assigned in descending order of load, each to the place with the
-///   least load so far (longest processing time first: R. L. Graham, Bounds on multiprocessing timing anomalies, SIAM
-///   Journal on Applied Mathematics 17, 1969). Among places of equal load, the place with the fewest nodes is taken;
-///   among these, the first.
+/// - With loads, one for each node, the nodes are assigned in descending order of load. Each node goes to the place
+/// with the least load so far (longest processing time first: R. L. Graham, Bounds on multiprocessing timing anomalies,
+/// SIAM Journal on Applied Mathematics 17, 1969). Among places of equal load, the place with the fewest nodes is taken;
+/// if several have equally few, the first of them.
 ///
 /// Throws UserError if the netlist states a place that does not exist. REQUIRES: no load is negative.
 std::vector<std::size_t> place_nodes(const Network&, const Places&, const std::vector<Time>& loads = {});

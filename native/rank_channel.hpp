@@ -23,7 +23,7 @@ namespace placedpar::native {
 /// 3. The outputter continues when it has the reply, the inputter when it has the message.
 ///
 /// So the communication is synchronous, and needs one letter from each end. (A letter is a short message of RankMail.)
-/// A message too long for a letter is announced in a letter, and sent as a parcel when it is input.
+/// A longer message is announced in a letter, and sent as a parcel when it is input.
 class RankGiver final : public Carrier, public RankEnd {
 public:
     /// Makes the channel lead to rank `to`. REQUIRES: the channel is unused and has a packed form; all objects outlive

@@ -41,9 +41,9 @@ protected:
     ~RankEnd() = default;
 };
 
-/// Connects the kernel of one rank of a native run with the other ranks: sends and receives messages, sleeps while
-/// there is nothing to do, and takes part in ending the run. All functions except interrupt() are called by the thread
-/// of the kernel.
+/// Connects the kernel of one rank of a native run with the other ranks. Sends and receives messages, sleeps while the
+/// kernel has nothing to do, and takes part in ending the run. All functions except interrupt() are called by the
+/// thread of the kernel.
 class RankMember final : public Surroundings {
 public:
     /// `channels`: number of channels of the whole network. REQUIRES: the mail and the simulation outlive this object.

@@ -25,8 +25,8 @@ struct Traffic {
     }
 };
 
-/// The contribution of one thread or rank to the report of a native run, whose processes run in real time on several
-/// threads, or on several copies (ranks) of the program.
+/// The contribution of one thread or rank to the report of a native run. In a native run, processes run in real time on
+/// several threads, or in several copies of the program, the ranks.
 struct RunPart {
     RunResult result;
     std::vector<Measurement> measurements = {};

@@ -74,8 +74,8 @@ Ranks::Message wait_for_message(Ranks& ranks) {
 
 namespace {
 
-/// A rank above 0 reports its preparation to rank 0: the first character, followed by what identifies the prepared
-/// work, or the second character, followed by the reason of the failure.
+/// The first characters of the texts by which a rank above 0 reports its preparation to rank 0. After `has_prepared`
+/// follows what identifies the prepared work, after `has_failed` the reason of the failure.
 constexpr char has_prepared = '+', has_failed = '-';
 
 std::string account_of(const std::function<std::string()>& prepare) {

@@ -99,9 +99,9 @@ auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& whe
 }
 
 /// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. The input after the last
-/// chosen input is tested first. So no input is chosen twice while another input is ready (G. Jones, Carefully
-/// scheduled selection with ALT, occam user group newsletter 10, 1989). REQUIRES: the inputs and the turn outlive the
-/// returned guards.
+/// chosen input is tested first. So an input that is ready is chosen before any other input is chosen twice (G. Jones,
+/// Carefully scheduled selection with ALT, occam user group newsletter 10, 1989). REQUIRES: the inputs and the turn
+/// outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
           const SourceLocation& where = SourceLocation::current()) {

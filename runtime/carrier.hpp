@@ -31,8 +31,8 @@ public:
     virtual bool keep_message(const AnyChannel&) { return true; }
 
     // The next functions are for reports.
-    /// Return whether the process in output (input) can never continue, because a part of the message was lost or one
-    /// of the two processes has given up the message.
+    /// Return whether the process in output (input) can never continue. A part of the message was lost, or one of the
+    /// two processes has given up the message.
     virtual bool output_is_lost(const AnyChannel&) const { return false; }
     virtual bool input_is_lost(const AnyChannel&) const { return false; }
     /// Return whether the other end has given up a message that this end is still transferring. Nothing is transferred

@@ -131,8 +131,8 @@ public:
     bool output_waits() const { return message_ != nullptr; }
     bool input_waits() const { return slot_ != nullptr; }
 
-    /// Return whether the process in output (input) can never continue, because a part of the message was lost or one
-    /// of the two processes has given up the message.
+    /// Return whether the process in output (input) can never continue. A part of the message was lost, or one of the
+    /// two processes has given up the message.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
     /// Return whether the other end has given up the message in the middle. This end then waits until it, too, gives up

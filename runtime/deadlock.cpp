@@ -51,8 +51,8 @@ std::string path_of(const AnyChannel& channel, const AnyChannel::User& user, con
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
-/// Adds the processes that must act before the outputting process can continue: the inputter or, in a broadcast, the
-/// processes at other channels that have not taken the message.
+/// Adds the processes that must act before the outputting process can continue: usually the inputter. In a broadcast,
+/// they are the processes at other channels that have not taken the message.
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))

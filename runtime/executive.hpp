@@ -26,7 +26,7 @@ struct OperationCosts {
                           ///< paid by the process that arrives second
     std::int64_t bytes_in_a_word = 4;
 
-    Cycles start_component{}; ///< each component of a PAR, except the last, which the parent runs itself
+    Cycles start_component{}; ///< for each component of a PAR, except the last, which takes the parent's place
     Cycles run_component{};   ///< replaces `start_component` if the component's priority differs from its parent's, as
                               ///< in a PRI PAR
     Cycles end_component{};   ///< paid by the component when it ends
@@ -131,7 +131,7 @@ void charge(Process& self, Cost cost) {
         self.compute(std::invoke(cost, executive->costs()), {});
 }
 
-/// Charges the cost, and then lets the process communicate.
+/// Makes the process compute for the cycles of the cost, and then begin the communication.
 template <class Cost>
 void charge_and_communicate(Process& self, Cost cost, Communication& communication) {
     Executive* executive = self.executive();

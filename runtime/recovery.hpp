@@ -16,9 +16,9 @@ namespace placedpar {
 // Reinitialise. C has ChanInTimeFail, ChanOutTimeFail, ChanInChanFail, ChanOutChanFail and ChanReset.
 //
 // 1. The channel may be soft, that is, within one processor. If the channel leads over a link, no other channel may use
-// the same direction of the link. The link may lead to the link adapter of a host computer. The functions throw
-// std::logic_error for other channels: channels that travel in packets (the toolset refuses these virtual channels,
-// too), broadcast channels, and channels through the memory of a bus master.
+// the same direction of the link. The link may lead to the link adapter of a host computer. For other channels the
+// functions throw std::logic_error. These are broadcast channels, channels through the memory of a bus master, and
+// channels that travel in packets. (The toolset refuses such virtual channels, too.)
 // 2. A message that was given up is never received later. However, the receiver may already have received a message
 // that the sender gives up. This happens if only the acknowledge of the last byte was lost.
 // 3. If a message was given up at an end of a channel over a link, this end must be reset before its next use.

@@ -34,9 +34,9 @@ struct AwaitedByProgram {
     std::string partner; ///< the process that used the other end last, or the direction of a link again; "" if unknown
 };
 
-/// States that a process changes its activity. The process is known only by its name: an emulated transputer executes
-/// it, or it belonged to a native run (in real time on several threads) that is over. The activity is `computing` (the
-/// process has the processor), `ready`, a wait, `stopped` or `ended`.
+/// States that a process changes its activity. The process is known only by its name. Either an emulated transputer
+/// executes it, or it belonged to a native run that is over. (In a native run, processes run in real time on several
+/// threads.) The activity is `computing` (the process has the processor), `ready`, a wait, `stopped` or `ended`.
 struct ProgramTurn {
     const std::string& process; ///< "root.phil[2]", or, without a name, the address of its workspace: "root.#80000144"
     const std::string& place;   ///< the transputer, or the thread or program of a native run

@@ -9,8 +9,8 @@ namespace placedpar {
 // Code that profits from wide registers is compiled for each width of registers. At run time the program uses the
 // widest registers that the processor has. INVARIANT: all widths give the same bits. Therefore compile with
 // `-ffp-contract=off`: an instruction that multiplies and adds rounds only once. Google Highway and similar libraries
-// cannot be used. Their functions can be called only from code marked for a target, so an objective function that a
-// user writes as a plain struct could not use wide registers.
+// cannot be used. Their functions can be called only from code that is marked for a target. An objective function that
+// a user writes as a plain struct is not marked, so it could not use wide registers.
 
 /// The possible numbers of doubles in a register: 2 (SSE2, or another processor's own registers), 4 (AVX2), 8
 /// (AVX-512).

@@ -14,8 +14,8 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A memory with two ports on a VMEbus board. The board's transputer uses one port; bus masters, such as the host
-/// computer, reach the memory over the bus (thesis, appendix D: the board BBK-V2 has 2 Mbyte).
+/// A memory with two ports on a VMEbus board. The board's transputer uses one port. Bus masters, such as the host
+/// computer, reach the other port over the bus. The board BBK-V2 has 2 Mbyte of this memory (thesis, appendix D).
 class DualPortedMemory final : public BusSlave {
 public:
     DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}

@@ -72,9 +72,9 @@ public:
 /// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up.
 /// The arbiter chooses among all masters that request the bus at that time.
 /// 2. The move of a word is always completed. After each word, a master with Release::on_request gives up the bus if
-/// any other master requests it. A master with Release::when_done gives up the bus before the end of a block only if
-/// the arbitration is PRI and a master of a higher level requests the bus (signal BCLR). The rest of the block waits
-/// for the master's next turn.
+/// any other master requests it. A master with Release::when_done usually finishes its block. Only with PRI arbitration
+/// it gives up the bus earlier, to a master of a higher level (signal BCLR). The rest of the block waits for the
+/// master's next turn.
 /// 3. A master with Release::on_request keeps the bus after its last block until another master requests it. Meanwhile
 /// its further blocks need no arbitration.
 /// 4. The words of a block follow each other without a break, and need a single event. If the master must yield to a

@@ -26,7 +26,7 @@ struct CoreTiming {
     int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up the
                            ///< processor
     /// True: addresses beyond the end of the memory wrap round to its beginning, as on boards. False: only addresses of
-    /// lb, sb, ldnl and stnl wrap, because programs find the size of the memory by these instructions; other accesses
+    /// lb, sb, ldnl and stnl wrap, because programs find the size of the memory by these instructions. Other accesses
     /// beyond the end stop the core.
     bool wraps = false;
 };
@@ -122,9 +122,9 @@ public:
     void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a link may change at any moment which process the core executes. This is so if a process of high
-    /// priority waits for a link, or if the running process has used up its timeslice and continues only because no
-    /// other process is ready.
+    /// Returns whether a link may change at any moment which process the core executes. In one case, a process of high
+    /// priority waits for a link. In the other, the running process has used up its timeslice, and continues only
+    /// because no other process is ready.
     bool may_be_interrupted() const;
     /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core if addresses do not wrap.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);

@@ -103,8 +103,8 @@ Time Node::horizon(Time most_ahead) const {
 }
 
 /// Returns whether the core can run ahead of virtual time. If a link then acts on the core, come_back() restores the
-/// saved state. While a link moves bytes, the core cannot run ahead, because accesses of the link to the memory delay
-/// the core by a time that is not known in advance.
+/// saved state. While a link moves bytes, the core cannot run ahead. The link's accesses to the memory would delay the
+/// core by a time that is not known in advance.
 bool Node::may_run_ahead() const {
     return most_ahead_ > Time{0} && !core_.is_watched() && !wires_.empty() &&
            std::ranges::all_of(wires_, &hardware::Link::is_still);

@@ -28,13 +28,14 @@ class ProcessTrace; // runtime/transputer/process_trace.hpp
 /// links. The first byte that comes over a link is a command: boot the transputer, read its memory (peek) or write its
 /// memory (poke). After a boot, the transputer's core executes code.
 ///
-/// To save events, the core executes ahead of virtual time. This does not change the results. While nothing is under
-/// way on any link, the core saves its state and executes up to its next link instruction. If a link is about to act on
-/// the core, the core first returns to the saved state, and executes again up to the present. While a link is under
-/// way, the core executes only as long as nothing can act on it. It stops at the end of a timer or a timeslice, and
-/// when a clock is read. It stops before a change of its queues if a link may make a process ready. It stops at the
-/// next event of any other device if a high-priority process waits for a link. Only programs that read bytes that a
-/// link is about to store, or change bytes or a channel word that a link is about to read, may get other results.
+/// To save events, the core executes ahead of virtual time. This does not change the results, with the exceptions
+/// below. While nothing is under way on any link, the core saves its state and executes up to its next link
+/// instruction. If a link is about to act on the core, the core first returns to the saved state, and executes again up
+/// to the present. While a link is under way, the core executes only as long as nothing can act on it. It stops at the
+/// end of a timer or a timeslice, and when a clock is read. It stops before a change of its queues if a link may make a
+/// process ready. It stops at the next event of any other device if a high-priority process waits for a link.
+/// Exceptions are programs that read bytes that a link is about to store, or that change bytes or a channel word that a
+/// link is about to read.
 ///
 /// Processes that links make ready at the same time become ready in the order of their channels.
 ///

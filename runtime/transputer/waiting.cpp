@@ -150,8 +150,8 @@ std::optional<std::vector<Word>> channels_before(const Core& core, Word workspac
 constexpr std::array waits{Operation::in,    Operation::out,    Operation::outbyte, Operation::outword,
                            Operation::altwt, Operation::taltwt, Operation::tin};
 
-/// Returns the instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or
-/// follows data that only looks like such an instruction.
+/// Returns the instruction at which a process waits. Returns `unknown` if its saved Iptr follows no such instruction,
+/// or follows data that only looks like one.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
     if (!instruction || !core.has_executed_before(*instruction))
