@@ -47,7 +47,7 @@ struct Notices {
 /// after the run.
 class NoticeLog final : public TraceSink {
 public:
-    /// Records nothing after `until`, and at most `most` notices. REQUIRES: the kernel runs among others
+    /// Records nothing after `until`, and at most `most` notices. REQUIRES: the kernel belongs to a native run
     /// (Kernel::run_among), and outlives this object.
     NoticeLog(const Kernel& kernel, Time until, std::size_t most) : kernel_(kernel), until_(until), most_(most) {}
 

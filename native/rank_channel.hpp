@@ -36,8 +36,8 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override {}
     bool message_waits(const AnyChannel&) const override { return false; }
-    /// Throws UserError, because the user can place the two processes on the same rank. There the message could be
-    /// given up.
+    /// Throws UserError: a message to another rank cannot be given up. The text asks the user to place both processes
+    /// on one rank.
     std::string why_not_given_up() const override;
     void taker_came() override;
 

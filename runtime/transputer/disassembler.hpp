@@ -30,8 +30,8 @@ struct CodeLine {
 void find_target(CodeLine&, const std::array<CodeLine, 2>& before);
 
 /// Disassembles bytes: follows the code from its entry points, then looks for code in the rest. There, bytes are data
-/// if they do not decode, are text or zeros, or have prefixes that no assembler makes (nfix before another prefix).
-/// REQUIRES: at most 2 Gbyte.
+/// if they do not decode, are text or zeros, or have prefixes that INMOS's assemblers do not make (nfix before another
+/// prefix). REQUIRES: at most 2 Gbyte.
 std::vector<CodeLine> disassemble(std::span<const std::uint8_t>, std::span<const Word> entries, Model);
 
 /// Published cycles of an instruction, including its prefixes, with code and data on the chip.

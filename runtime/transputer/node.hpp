@@ -53,8 +53,8 @@ public:
 
     /// Returns the node's end of a link, for the constructor of a ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
-    /// States that this link ends here, so that the link takes accesses to the memory from the core. REQUIRES: the link
-    /// outlives the run.
+    /// States that this link ends here. Its engines then use the node's memory, and the core waits for their accesses.
+    /// REQUIRES: the link outlives the run.
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
