@@ -18,8 +18,8 @@ class Kernel;
 
 namespace placedpar::native {
 
-/// Makes a native run, that is, a run in real time on this computer, as slow as the simulated machine, or `pace` times
-/// as fast. A computation takes the time of its cycles on the netlist's processor, divided by `pace`. The process waits
+/// Slows a native run, that is, a run in real time on this computer, down to `pace` times the speed of the simulated
+/// machine. A computation takes the time of its cycles on the netlist's processor, divided by `pace`. The process waits
 /// until this time is over, while processes of other processors continue. The time that the computation really takes on
 /// this computer is included. If a process computes repeatedly without a wait, lateness does not accumulate.
 ///

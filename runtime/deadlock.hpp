@@ -32,8 +32,8 @@ struct StuckChannel {
 /// Reports why a simulation cannot continue: which process waits for which. The report holds no memory addresses, so
 /// two reports of the same deadlock are equal.
 struct Deadlock {
-    std::vector<std::string> cycle; ///< paths of processes in a wait cycle: each waits for the next, the last for the
-                                    ///< first; may be empty
+    std::vector<std::string> cycle; ///< paths of processes of which each waits for the next, and the last for the
+                                    ///< first; empty if there is no such cycle
     /// Reasons why processes wait although their partners are ready. Examples: "a, b: the message waits until it is
     /// taken on c, too, because one message goes to all these channels"; "in: no message can pass until sink, too,
     /// gives up its message and resets its end, because source gave up the message in the middle".

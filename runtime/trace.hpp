@@ -70,13 +70,13 @@ public:
     ///   starting          The process exists; its program begins when its turn comes. For a process that was made
     ///                     before the run, this notice comes when the run begins, perhaps after a notice `ready`.
     ///   delayed, ...      The process waits. Its activity and awaited_channels() say for what.
-    ///   ready             The wait or the computation of the process is over, or the process has lost its executive.
-    ///                     A placed process has no such notice at the end of a PAR. No process has one for a delay
-    ///                     without a wait.
+    ///   ready             The wait or the computation of the process is over, or the process has lost its processor.
+    ///                     A process on a processor has no such notice at the end of a PAR. No process has such a
+    ///                     notice for a delay without a wait.
     ///   executing         A wait is over, and the program runs again. The process's activity and awaited_channels()
     ///                     are still those of the wait. In a native run, such a notice also comes when the process
     ///                     begins.
-    ///   computing         The executive works for the process. This may begin before the program runs again, because
+    ///   computing         The processor works for the process. This may begin before the program runs again, because
     ///                     a processor already spends time on a process that is ready.
     ///   moving            The process moves words over a bus, or waits for the bus.
     ///   ended             This is the last notice about the process.

@@ -49,8 +49,8 @@ struct SwitchAnswer {
 /// nothing. Commands change the connections during the run; at the start nothing is connected. Data is lost at an input
 /// that no output repeats.
 ///
-/// We assume the following. Data is also lost if an output repeats it that is not wired to the other end of its link.
-/// On a new connection, data is lost until the next command 3. To make a connection again, or to make other
+/// We assume the following. Data is also lost if the output that repeats it is not wired to the other end of the data's
+/// link. On a new connection, data is lost until the next command 3. To make a connection again, or to make other
 /// connections, does not disturb a connection.
 ///
 /// The class is an executive, that is, it executes processes. A process on the switch inputs commands from the

@@ -37,8 +37,8 @@ struct FaultEffect {
         std::string channel; ///< name of the channel that the message belonged to
         bool acknowledge;
         std::uint64_t byte; ///< number of the byte in the message, from 1
-        /// The kind of message. Routers send messages of channels in packets of up to some hundred bytes; on their
-        /// links, each message is such a packet, or acknowledges one.
+        /// The kind of message. Routers send the messages of channels in packets. On a link between routers, each
+        /// message is such a packet, or acknowledges such a packet.
         enum class Message { whole, packet, acknowledging_packet };
         Message message = Message::whole;
     };

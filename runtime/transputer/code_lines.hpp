@@ -25,7 +25,7 @@ struct CodeLinesError : std::runtime_error {
 ///     process FROM UNTIL NAME            a process whose workspace is in [FROM, UNTIL); no two rows overlap
 ///     error ADDRESS TEXT                 the meaning if the instruction before ADDRESS sets Error, or is a
 ///                                        `stopp`; see print_error() and error_to_name()
-///     carrier FROM UNTIL NAME            as `process`, for a process that carries messages of other processes
+///     carrier FROM UNTIL NAME            like `process`, for a process that only carries messages of others
 ///     channel ADDRESS NAME               the word of a channel
 ///     node NAME                          the rows that follow are for the node of this name
 ///     end                                the last row
