@@ -1,6 +1,6 @@
 // A bounded buffer (Hoare, Communicating Sequential Processes, CACM 21, 1978, section 5.1). As in Hoare's paper and in
-// occam, an output cannot be a guard. So the buffer outputs a packet only after a request, which csp.customer sends:
-// this process stands between the buffer and a consumer.
+// occam, an output cannot be a guard. So the buffer, csp.buffer, outputs a packet only after a request. The process
+// csp.customer, between the buffer and a consumer, sends the requests.
 
 #include "classics/kinds.hpp"
 

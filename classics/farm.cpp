@@ -1,5 +1,5 @@
-// A processor farm: a balancer gives tasks to workers and collects the results. If `deal` is "idle", the next task goes
-// to any idle worker; if "turn", the workers get tasks in turn.
+// A processor farm: the process csp.balancer gives tasks to processes csp.worker, and collects the results. If the
+// parameter `deal` is "idle", the next task goes to any idle worker. If it is "turn", the workers get tasks in turn.
 
 #include "classics/kinds.hpp"
 
@@ -36,8 +36,8 @@ public:
     }
 
 private:
-    /// Returns the guards: first the input of a task, which is enabled if next_worker() is idle; then the result of
-    /// each worker.
+    /// Returns the guards of the balancer's ALT. The first is the input of a task, with the condition that
+    /// next_worker() is idle. Then comes the input of a result from each worker.
     std::vector<Guard> guards() const {
         std::vector<Guard> guards{
             {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};
@@ -45,7 +45,7 @@ private:
             guards.push_back({Guard::input, &from_worker.channel()});
         return guards;
     }
-    /// Returns the worker for the next task: for "turn", the worker whose turn it is; for "idle", the first idle
+    /// Returns the worker for the next task. For "turn" this is the worker whose turn it is; for "idle", the first idle
     /// worker, or worker 0 if none is idle.
     std::size_t next_worker() const {
         if (by_turns_)
@@ -84,7 +84,7 @@ private:
 
 void balance(ProcessEnvironment& environment) { Balancer(environment).run(); }
 
-/// Returns the cycles that a task takes, the same for every worker.
+/// Returns the cycles that a task takes. They do not depend on the worker.
 std::int64_t cycles_of(const Packet& task, const ProcessEnvironment& environment) {
     RandomStream random = environment.random_stream("task " + std::to_string(task.number));
     double spread = environment.real("spread");

@@ -8,11 +8,12 @@ namespace placedpar {
 
 class Catalogue;
 
-/// Adds all kinds of this folder.
+/// Adds the processes of all classical CSP networks (philosophers, sieve and others) to the kinds that netlists can
+/// use.
 void add_classical_kinds(Catalogue&);
 
-// Each function returns the process kinds of one classical network, which have a file of their own. A process ends when
-// it has done the work that its parameters state.
+// Each of the following functions returns the process kinds of one network. Each network has a file in this folder. A
+// process ends when it has done the work that its parameters state.
 
 std::vector<ProcessKind> philosopher_kinds();    ///< csp.philosopher, csp.fork, csp.butler
 std::vector<ProcessKind> sieve_kinds();          ///< csp.numbers, csp.sieve

@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// A message without content, as occam's `c ! ANY`. It takes one byte on a link.
+/// A message without content, such as occam's `c ! ANY`. It takes one byte on a link.
 struct Signal {
     WireForm wire_form() const { return WireForm(1); }
 };
@@ -51,8 +51,8 @@ void serve_as_fork(ProcessEnvironment& environment) {
         alt(std::span<const Input<Signal>>(hands), [&](std::size_t hand, Signal) { hands[hand].input(); });
 }
 
-/// Returns a guard for each philosopher: a seated philosopher may always get up, a standing philosopher may sit down if
-/// a seat is free.
+/// Returns the guards of the butler's ALT, one for each philosopher. A seated philosopher may always get up; a standing
+/// philosopher may sit down if a seat is free.
 std::vector<Guard> guards_of(const std::vector<Input<Signal>>& philosophers, const std::vector<bool>& sits,
                              std::int64_t seats) {
     bool seat_free = std::ranges::count(sits, true) < seats;

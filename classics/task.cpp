@@ -1,4 +1,5 @@
-// A graph of tasks: each task waits for its inputs, computes, and sends a message to each of its successors.
+// A graph of tasks. Each task is a process csp.task: it waits for its inputs, computes, and sends a message to each of
+// its successors.
 
 #include "classics/kinds.hpp"
 
@@ -41,8 +42,8 @@ std::vector<std::uint32_t> lengths_in(const std::string& text) {
     return lengths;
 }
 
-/// Performs the task. Its inputs run in parallel, and so do its outputs, so that no predecessor or successor waits for
-/// another one.
+/// Performs the task. All inputs happen in parallel, and so do all outputs, so that no predecessor or successor waits
+/// for another.
 void perform_task(ProcessEnvironment& environment) {
     const auto from = environment.inputs<Packet>("in");
     const auto to = environment.outputs<Packet>("out");

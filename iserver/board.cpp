@@ -71,7 +71,7 @@ OpenFile connect_by_network(const std::string& name, const Interrupted& interrup
     throw UserError(fmt::format("{}: {}", name, reason(error)));
 }
 
-/// Boots one program on one board, and serves its requests.
+/// Boots a transputer board with a program, and serves the program's requests.
 class BoardSession {
 public:
     BoardSession(int board, const std::string& name, Server& server, const Interrupted& interrupted,

@@ -55,8 +55,8 @@ void Console::set_mode(Mode mode) {
     ::tcsetattr(input_, TCSANOW, &settings);
 }
 
-/// Reads bytes that have been typed; if `waits`, first waits for some. An error counts as the end of the input: a
-/// program in the background, for example, has no terminal to read from.
+/// Reads bytes that have been typed; if `waits` is true, first waits for some. An error counts as the end of the input.
+/// For example, a program in the background cannot read from the terminal.
 void Console::read_more(bool waits) {
     pollfd source{.fd = input_, .events = POLLIN, .revents = 0};
     int ready = 0;
@@ -97,7 +97,7 @@ std::optional<std::uint8_t> Console::pressed_key() {
 }
 
 std::string Console::line() {
-    if (mode_ == Mode::keys && is_terminal_) { // in keys that were typed ahead, Enter is still 13
+    if (mode_ == Mode::keys && is_terminal_) { // in keys that were typed before this call, Enter is 13
         read_more(false);
         std::ranges::replace(read_, '\r', '\n');
     }

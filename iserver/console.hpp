@@ -8,19 +8,20 @@
 
 namespace placedpar::iserver {
 
-/// Writes a text unchanged to standard output, or to standard error if standard output receives a file. Returns false
-/// if the reader of the output has gone. Throws UserError if the text cannot be written for another reason. REQUIRES:
-/// SIGPIPE is ignored.
+/// Writes a text unchanged to standard output, or to standard error if the command writes a file to standard output.
+/// Returns false if the reader of the output has gone. Throws UserError if the text cannot be written for another
+/// reason. REQUIRES: SIGPIPE is ignored.
 bool write_to_screen(std::string_view text);
 
-/// The terminal on which PlacedPar was started, or the files and pipes that replace it. Keys are read as INMOS's server
-/// for Unix reads them: each key is read at once, without echo, and Enter is read as 13. In a file or pipe, a newline
-/// stands for Enter. Lines are edited and echoed by the terminal.
+/// The terminal on which PlacedPar was started, or the files and pipes that replace it, as the screen and keyboard of a
+/// transputer program. Like INMOS's server for Unix, the class reads each key at once, without echo, and Enter as 13.
+/// In a file or pipe, a newline stands for Enter. When the program asks for a line, the terminal lets the user edit it,
+/// with echo.
 class Console : public Terminal {
 public:
-    /// While the console waits for input, it asks several times a second whether the program was interrupted. If so,
-    /// the input ends. REQUIRES: a handler catches the signals that would end the program; otherwise the terminal would
-    /// keep its settings for keys. `unread` is called when the reader of the output has gone.
+    /// While the console waits for input, it calls `interrupted` several times a second; if the result is true, the
+    /// input ends. `unread` is called when the reader of the output has gone. REQUIRES: a handler catches the signals
+    /// that would end the program. Otherwise the terminal would keep its settings for keys.
     explicit Console(
         std::function<bool()> interrupted, int input = 0, std::function<void()> unread = [] {});
     /// Restores the terminal.

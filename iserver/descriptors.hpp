@@ -15,10 +15,11 @@ using Interrupted = std::function<bool()>;
 
 enum class Wait { ready, interrupted, too_long };
 
-/// Waits until the descriptor can be read (POLLIN) or written (POLLOUT), at most for `patience` if a patience is given.
+/// Waits until the descriptor can be read (POLLIN) or written (POLLOUT), at most for the time `patience` if it is
+/// given.
 Wait wait_for(int descriptor, short events, const Interrupted&, std::optional<std::chrono::milliseconds> patience);
 
-/// An address "HOST:PORT" of a board on a network.
+/// The address of a transputer board on a network.
 struct NetworkAddress {
     std::string host, port;
 };

@@ -21,7 +21,7 @@ namespace {
 
 /// The name of a file, with the open folder that contains the file.
 struct Entry {
-    OpenFile folder; ///< none: the name is refused, or a folder is missing
+    OpenFile folder; ///< no file if the name is refused, or a folder is missing
     std::string name;
 };
 
@@ -93,8 +93,8 @@ HostFolder::HostFolder(const std::filesystem::path& folder)
                                     std::generic_category().message(errno)));
 }
 
-/// The file is checked before and after it is opened, because another program may replace it in between. If it is then
-/// a pipe, O_NONBLOCK prevents a wait for the pipe's other end; for a regular file, O_NONBLOCK has no effect.
+/// The file is checked before and after it is opened, because another program may replace it in between. If it has
+/// become a pipe, O_NONBLOCK prevents a wait for the pipe's other end. For a regular file, O_NONBLOCK has no effect.
 OpenFile HostFolder::open(std::string_view name, OpenMode mode, bool& created) const {
     const Entry entry = find_entry(folder_, name);
     const Found found = entry.folder ? what_is(entry) : Found::other;

@@ -25,23 +25,23 @@ private:
 /// The modes of fopen(), with their numbers in the iserver protocol.
 enum class OpenMode { read = 1, write, append, update, write_and_read, append_and_read };
 
-/// The only folder whose files a served program can reach. A name is a path below the folder, of at most 255 bytes.
-/// These names are refused: absolute names, names with "..", a drive letter or a control character, names of folders
-/// and empty names. No symbolic link is followed, neither at the end of a name nor before the end.
+/// The only folder whose files a transputer program can reach on its host, this computer. The program is not trusted. A
+/// name is a path below the folder, of at most 255 bytes. These names are refused: absolute names, names with "..", a
+/// drive letter or a control character, names of folders and empty names. No symbolic link is followed in any part of a
+/// name.
 ///
-/// Each part of a name is opened relative to the descriptor of the folder before it, so another program that replaces a
-/// folder by a link at the same time cannot lead the server out of the folder. Rejected: resolving a name to a path and
-/// checking whether the path begins with the folder.
+/// Each part of a name is opened relative to the descriptor of the folder before it. To check the beginning of a
+/// resolved path would not be safe, because another program could replace a folder by a link after the check.
 class HostFolder {
 public:
     static constexpr std::size_t longest_name = 255; ///< bytes
 
-    /// Makes a folder without files, in which everything fails.
+    /// Makes an object without a folder, with which every call fails.
     HostFolder() = default;
     /// Throws UserError if the folder cannot be opened.
     explicit HostFolder(const std::filesystem::path&);
 
-    /// Opens a regular file; devices and pipes are refused. The result has no file if this fails. `created` says
+    /// Opens a regular file; devices and pipes are refused. The result has no file if this fails. Sets `created` to
     /// whether the file is new.
     OpenFile open(std::string_view name, OpenMode, bool& created) const;
     /// Removes a regular file. Returns whether this succeeded.

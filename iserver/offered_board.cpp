@@ -67,8 +67,8 @@ void OfferedBoard::listen(const std::string& where) {
     name_ = "tcp:" + address_of(listener_);
 }
 
-/// Opens and closes the other end of the pseudo terminal, too: from then on the system tells whether a program has the
-/// terminal open.
+/// Opens a pseudo terminal. Also opens and closes its other end, so that the system from then on reports whether a
+/// program has the other end open.
 void OfferedBoard::open_terminal() {
     link_ = OpenFile(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
     std::array<char, 64> name{};

@@ -10,32 +10,35 @@
 
 namespace placedpar::iserver {
 
-/// The packets of the iserver protocol: a length of 16 bits, and that number of bytes. A request is a tag and fields, a
-/// reply is a result and fields. The low byte of a number comes first. A text consists of its length in 16 bits and its
+/// This header has the packets of the iserver protocol, by which a transputer program asks its host for files, the
+/// terminal and the time. A packet is a length of 16 bits, and that number of bytes. A request has a tag and fields, a
+/// reply has a result and fields. The low byte of a number comes first. A text is its length in 16 bits, then its
 /// bytes.
 using Bytes = std::vector<std::uint8_t>;
 using ByteView = std::span<const std::uint8_t>;
 
 inline constexpr std::size_t shortest_data = 6;                     ///< bytes after a packet's length
 inline constexpr std::size_t longest_data = 510;                    ///< bytes after a packet's length
-inline constexpr std::size_t longest_of_later_servers = 1022;       ///< longest_data of servers from version 1.4 on
-inline constexpr std::size_t longest_reply_text = longest_data - 3; ///< bytes; the result and the length take 3
+inline constexpr std::size_t longest_of_later_servers = 1022;       ///< the value of longest_data for servers from
+                                                                    ///< version 1.4 on
+inline constexpr std::size_t longest_reply_text = longest_data - 3; ///< bytes; the result and the text's length take 3
+                                                                    ///< more
 
 enum class Result : std::uint8_t { success = 0, not_implemented = 1, failed = 129 };
 
 /// Assembles requests from the bytes of a link, which come one by one or in parts.
 class PacketReader {
 public:
-    /// Takes bytes from the front of `bytes`, at most to the end of a request. Returns the request without its length
-    /// if it is complete now, else an empty view. The view is valid until the next call. After a refusal, takes
-    /// nothing.
+    /// Removes bytes from the front of `bytes`, at most up to the end of a request. Returns the request without its
+    /// length if the request is complete now, otherwise an empty view. The view is valid until the next call. After a
+    /// refusal, takes nothing.
     ByteView take(ByteView& bytes);
     /// Returns how many bytes the request still needs at least; 0 after a refusal.
     std::size_t wanted() const;
     /// Returns how many bytes of an incomplete request have come.
     std::size_t held() const { return held_; }
-    /// Says why a packet was refused; "" if none was. Without a valid length the packet's end is unknown, so nothing
-    /// after it can be read.
+    /// Returns why a packet was refused; "" if none was. A packet is refused if its length is invalid. Its end is then
+    /// unknown, so nothing after it can be read.
     const std::string& refusal() const { return refusal_; }
 
 private:
@@ -48,11 +51,11 @@ private:
     std::string refusal_;
 };
 
-/// Reads the fields of a request, in order. A field beyond the request's end reads as 0, or "", and makes good() false.
+/// Reads the fields of a request, in order. For a field beyond the request's end, the result is 0 or "", and good()
+/// becomes false.
 class RequestFields {
 public:
-    /// Begins at the tag. REQUIRES: the bytes of the request stay valid while this object, or a text that text()
-    /// has returned, is used.
+    /// The first field is the tag. REQUIRES: the request's bytes outlive this object and the results of text().
     explicit RequestFields(ByteView request) : rest_(request) {}
 
     std::uint8_t byte() { return static_cast<std::uint8_t>(number(1)); }

@@ -52,7 +52,7 @@ std::size_t limited(std::size_t bytes) { return std::min(bytes, longest_reply_te
 Reply failure() { return Reply(Result::failed); }
 Reply success() { return Reply(Result::success); }
 
-/// Replies with the last error of a stream. If the stream had no error, the request fails.
+/// Replies to a request for the last error of a stream. If the stream had no error, the reply is a failure.
 Reply error_of(const Stream& stream) {
     if (stream.error() == 0)
         return failure();
@@ -115,8 +115,8 @@ void Server::finish() {
         terminal_.write(rest);
 }
 
-/// Performs the request. A missing field reads as 0 or "", and with these values no request changes anything, so
-/// answer() may check the fields afterwards.
+/// Performs the request. answer() checks afterwards whether a field was missing. Until then a missing field has the
+/// value 0 or "", with which no request changes anything.
 Reply Server::reply_to(RequestTag tag, RequestFields& fields) {
     switch (tag) {
     case RequestTag::open: return open(fields);
@@ -202,7 +202,7 @@ Reply Server::poll_key() {
     return key ? success().byte(*key) : failure();
 }
 
-/// Replies with local time and universal time. The two are equal: the host's time zone must not change a run.
+/// Replies with local time and universal time. They are equal, because the host's time zone must not change a run.
 Reply Server::time() const {
     const auto now = std::chrono::floor<std::chrono::seconds>(options_.date + since_start_).time_since_epoch().count();
     return success().word(static_cast<std::int32_t>(now)).word(static_cast<std::int32_t>(now));

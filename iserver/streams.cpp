@@ -12,7 +12,7 @@ namespace placedpar::iserver {
 
 namespace {
 
-/// A file without a buffer of its own: requests are short, and the file is complete even if the program is killed.
+/// A file. It has no buffer, so that it is complete even if PlacedPar is killed.
 class FileStream : public Stream {
 public:
     FileStream(OpenFile file, bool appends, WriteQuota& quota)
@@ -42,7 +42,7 @@ std::string FileStream::read(std::size_t most) {
     return bytes;
 }
 
-/// Reads a line. Since it reads beyond the newline, it then sets the position back to the byte after the newline.
+/// Reads a line. Reads beyond the newline, and then sets the position back to the byte after the newline.
 std::optional<std::string> FileStream::line(std::size_t most) {
     const bool was_at_end = at_end_;
     std::string bytes = read(most);
@@ -98,7 +98,7 @@ std::optional<std::int32_t> FileStream::tell() {
     return static_cast<std::int32_t>(here);
 }
 
-/// The lines that a terminal's user types.
+/// Stream 0: the lines that the user types on the terminal.
 class TerminalInput : public Stream {
 public:
     explicit TerminalInput(Terminal& terminal) : terminal_(terminal) {}
@@ -118,7 +118,7 @@ private:
     std::string rest_; ///< the rest of a line
 };
 
-/// Returns a line or its beginning; "" at the end.
+/// Returns the first bytes of the current line, at most `most`; "" at the end of the input.
 std::string TerminalInput::front(std::size_t most) {
     if (rest_.empty() && most > 0)
         rest_ = terminal_.line();

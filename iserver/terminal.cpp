@@ -12,7 +12,8 @@ namespace placedpar::iserver {
 
 namespace {
 
-constexpr std::size_t longest_sequence = 24; ///< bytes; colours of foreground and background take 19
+constexpr std::size_t longest_sequence = 24; ///< bytes; a sequence that sets the colours of foreground and background
+                                             ///< takes 19
 
 enum class Piece { whole, begun, wrong };
 

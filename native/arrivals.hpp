@@ -5,8 +5,8 @@
 
 namespace placedpar::native {
 
-/// A message to a kernel. It is in at most one inbox at a time, so an inbox can link its messages without allocating
-/// memory.
+/// A message to a kernel of a native run, that is, to one of the threads that run processes. A message is in at most
+/// one inbox at a time, and holds the link of the inbox's list, so that posting needs no memory.
 class Arrival {
 public:
     Arrival() = default;
@@ -18,13 +18,14 @@ protected:
 
 private:
     friend class Inbox;
-    /// Called by the thread of the kernel that receives the message, between two turns of its processes.
+    /// Called by the thread that receives the message, between two turns of its processes.
     virtual void arrive() noexcept = 0;
 
     Arrival* next_ = nullptr;
 };
 
-/// The messages that wait for a kernel. Any thread may post; the kernel's thread takes them in the order of posting.
+/// The messages that wait for a kernel. Any thread may post a message; the kernel's thread takes the messages in the
+/// order of posting.
 class Inbox {
 public:
     bool empty() const { return newest_.load() == nullptr; }

@@ -30,7 +30,8 @@ void Crossing::Taken::arrive() noexcept {
     c.outputter_->kernel().make_ready(*c.outputter_);
 }
 
-/// Returns whether there is an offer. If so, the outputter can no longer withdraw it.
+/// Claims the message for the inputter, if the outputter offers one: from then on the outputter cannot withdraw it.
+/// Returns whether there was an offer.
 bool Crossing::claim() {
     Offer made = Offer::made;
     return offer_.compare_exchange_strong(made, Offer::taken);

@@ -10,18 +10,18 @@
 
 namespace placedpar::native {
 
-/// Joins the two halves of a channel between two kernels: one half is on the outputter's kernel, the other on the
-/// inputter's kernel.
+/// Connects a process with a process on another thread of a native run. Each thread has a kernel, and each kernel has
+/// its own object for the channel, a half; the crossing joins the two halves.
 ///
-/// 1. The outputter offers its message, which stays where it is, and waits.
+/// 1. The outputter offers its message, which stays in its memory, and waits.
 /// 2. The inputter's kernel takes an offered message when its process inputs, and notifies the outputter's kernel. If
 ///    an ALT chooses another guard, the offer remains.
 ///
-/// So the communication is synchronous, and a message is moved once and never copied.
+/// So the communication is synchronous, and the message is moved once without a copy.
 class Crossing {
 public:
-    /// Puts the channels on their carriers. REQUIRES: the channels have the same protocol and are unused; all objects
-    /// outlive the run.
+    /// Makes the two channels halves of one channel. REQUIRES: the channels have the same protocol and are unused; all
+    /// objects outlive the run.
     Crossing(AnyChannel& outputters, Member& from, AnyChannel& inputters, Member& to)
         : output_(outputters), input_(inputters), from_(from), to_(to) {
         output_.put_on(giver_);

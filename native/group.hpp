@@ -22,10 +22,12 @@ namespace placedpar::native {
 
 class Group;
 
-/// The time for which a kernel checks for messages before its thread sleeps. Waking a thread takes about the same time.
+/// The time for which a kernel without work checks for messages before its thread sleeps. To wake a thread takes about
+/// as long.
 inline constexpr Time most_patience = std::chrono::microseconds(20);
 
-/// A kernel of a native run on threads, as the other kernels see it: messages can be posted to it.
+/// Connects a kernel with the other kernels of a native run, whose processes run in real time on several threads.
+/// Receives their messages, and lets the thread sleep while it has nothing to do.
 class Member final : public Surroundings {
 public:
     Member(Group& group, Simulation& simulation) : group_(group), simulation_(simulation) {}
@@ -55,19 +57,19 @@ private:
     // The mutex of the group guards the next members.
     State state_ = State::awake;
     bool awaits_end_ = false;
-    std::uint64_t quiet_heard_ = 0; ///< number of times that the kernel has learnt that all kernels were quiet
+    std::uint64_t quiet_heard_ = 0; ///< the value of Group::times_quiet_ that this kernel has seen
     std::condition_variable woken_;
 
     Time rested_{};
     std::optional<Time> rested_in_work_; ///< set at the end of the work, if the kernel continues after it
 };
 
-/// The kernels of a native run, one for each thread. Detects when none of them has anything to do.
+/// The kernels of a native run, one for each thread. The group detects when no kernel has anything to do, so that the
+/// run can end.
 ///
-/// All kernels use one mutex to go to sleep, and a kernel sleeps only if its inbox is empty. If all kernels sleep
-/// without a time to wake, or have stopped, and all inboxes are empty, then nothing can wake any of them: a kernel that
-/// posts a message is awake until it has posted. So the last kernel that goes to sleep detects at once that the work is
-/// over.
+/// All kernels use one mutex to go to sleep, and a kernel sleeps only if its inbox is empty. A kernel that posts a
+/// message stays awake until it has posted. Therefore nothing can wake any kernel if all kernels sleep without a time
+/// to wake, or have stopped, and all inboxes are empty. The last kernel that goes to sleep detects this at once.
 class Group {
 public:
     Group() : begun_(std::chrono::steady_clock::now()) {}

@@ -42,7 +42,7 @@ struct Strand {
     Simulation simulation;
     Pace* pace = nullptr;              ///< null if computations run at the speed of the computer
     std::optional<NoticeLog> log = {}; ///< empty if the run is not recorded
-    std::vector<Time> waited = {};     ///< how long each process had waited in total when the work ended
+    std::vector<Time> waited = {};     ///< how long each process had waited when the work ended
     std::optional<RunResult> result;   ///< no value if the run threw an exception
     std::exception_ptr thrown;
 };
@@ -116,8 +116,8 @@ private:
         gate_.notify_all();
     }
 
-    /// Starts all threads. No thread begins its part before all threads exist, because each thread waits for the other
-    /// threads at its end.
+    /// Starts all threads. No thread begins its part before all threads exist. Otherwise, if a thread could not be
+    /// started, the others would wait for it for ever.
     void start(std::vector<std::jthread>& threads) {
         try {
             for (Strand& strand : strands_)
@@ -199,7 +199,7 @@ private:
     std::deque<Strand> strands_;
     NativeTrace* trace_;
     Group group_;
-    /// The crossings from one thread to another, by the numbers of the two threads.
+    /// The channels between different threads, by the numbers of the sender's and the receiver's thread.
     std::map<std::pair<std::size_t, std::size_t>, std::list<Crossing>> crossings_;
     std::atomic<Gate> gate_{Gate::closed};
     std::mutex mutex_;

@@ -17,25 +17,24 @@ class NativeTrace; // native/native_trace.hpp
 struct NativeSettings {
     std::uint64_t seed = 1;
     std::size_t threads = 1; ///< at least 1
-    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If this function is empty,
-    /// nodes are placed without loads.
+    /// Returns the load of each node, that is, the computing time of its processes, from which place_nodes() chooses
+    /// threads. If this function is empty, nodes are placed without loads.
     std::function<std::vector<Time>()> loads = {};
-    /// The factor by which processes compute faster than the simulated processors (native/pace.hpp); 0: at the speed of
-    /// this computer.
+    /// How many times as fast as the simulated processors the processes compute; 0: at the speed of this computer.
     double pace = 0;
-    NativeTrace* trace = nullptr; ///< records the run; null: the run is not recorded
-    /// Makes the catalogue of process kinds for one thread. Called once for each thread.
+    NativeTrace* trace = nullptr; ///< records the run for a trace; null: the run is not recorded
+    /// Makes the process kinds for one thread. Called once for each thread.
     std::function<std::shared_ptr<const Catalogue>()> make_catalogue;
     /// Returns whether to end the run. Called about ten times a second.
     std::function<bool()> is_interrupted = [] { return false; };
 };
 
-/// Throws UserError for a network that cannot run natively.
+/// Throws UserError if run_natively() cannot run the network.
 void require_native(const Network&);
 
-/// Runs the processes of a network on threads of this computer. The wall clock gives the time, and a computation takes
-/// as long as it takes on this computer. Wires, switches and buses only show which processes communicate. The processes
-/// of a node run on one thread (native/placement.hpp). In the report, the threads take the place of the processors.
+/// Runs the processes of a network in real time on threads of this computer, without simulating the machine. Wires,
+/// switches and buses only show which processes communicate. The processes of a node, that is, a processor of the
+/// netlist, run on one thread. In the report, the threads take the place of the processors.
 ///
 /// Throws UserError if the network cannot run natively or a thread cannot be started. If a process fails, throws the
 /// same exceptions as Machine::run.

@@ -19,10 +19,10 @@ using native::Notices;
 
 /// The processes at the ends of a channel of the netlist.
 struct ChannelUsers {
-    std::string outputter, inputter; ///< "" for an edge
+    std::string outputter, inputter; ///< "" at the edge of the network
 };
 
-/// Passes the notices of all threads or ranks to a sink.
+/// Passes the notices of all threads or ranks (the places of a native run) to a sink, in order of time.
 class Replay {
 public:
     Replay(const Network& network, const std::string& noun, const std::vector<Notices>& of_places, TraceSink& sink)
@@ -86,8 +86,7 @@ private:
             tell_message(place, notice);
     }
 
-    /// Passes on a change of activity. While a process has its turn, it is shown as computing, because no other process
-    /// uses the thread.
+    /// Passes on a change of activity. A process that runs is shown as computing, because it occupies its thread.
     void tell_turn(const Place& place, const Notice& notice) const {
         Activity activity = static_cast<Activity>(notice.activity);
         std::vector<AwaitedByProgram> awaited;

@@ -10,12 +10,12 @@
 
 namespace placedpar {
 
-/// Records the activities of the processes of a native run on all its threads or ranks. After the run, passes them to a
-/// trace sink.
+/// Records what the processes of a native run do, on all its threads or ranks. After the run, passes the record to a
+/// trace sink, as a simulated run would. (In a native run the processes run in real time.)
 class NativeTrace {
 public:
-    /// The largest number of notices of a run (our choice: 200 Mbyte of memory). Each wait and each message makes two
-    /// notices.
+    /// The largest number of notices of a run (our choice; they take 200 Mbyte of memory). Each wait and each message
+    /// makes two notices.
     static constexpr std::size_t most_notices = 8'000'000;
 
     /// Records nothing after `until`, and at most `most` notices of a run.
@@ -25,12 +25,12 @@ public:
     Time until() const { return until_; }
     /// Returns the largest number of notices of each thread or rank.
     std::size_t most_of(std::size_t places) const { return most_ / places; }
-    /// Stores the notices of all threads or ranks. `noun` is "thread" or "rank". REQUIRES: the times of all notices are
-    /// of the same clock.
+    /// Stores the notices of all threads or ranks. `noun` is "thread" or "rank". REQUIRES: all times are of the same
+    /// clock.
     void set(std::string noun, std::vector<native::Notices>);
 
-    /// Passes everything to the sink, in order of time. The sink sees the processes by name, on processors "thread 0",
-    /// "thread 1", ... or "rank 0", ...
+    /// Passes all notices to the sink, in order of time. The processes are on processors with the names "thread 0",
+    /// "thread 1", ... or "rank 0", "rank 1", ...
     void replay(const Network&, TraceSink&) const;
     /// Returns a text that tells the user which part of the record is missing; "" if it is complete.
     std::string warning() const;
@@ -45,8 +45,8 @@ private:
     std::vector<native::Notices> of_places_;
 };
 
-/// Returns the network of a native run: its threads or ranks take the place of the nodes, without any wires. `run`: the
-/// report of the run.
+/// Returns the network with the threads or ranks of a native run in place of the processors, without wires, so that
+/// reports can name them. `run`: the report of the run.
 Network with_places(Network, const RunReport& run);
 
 } // namespace placedpar

@@ -22,7 +22,7 @@ std::uint32_t number_in(std::vector<Key>& table, Numbers& numbers, const Key& ke
 
 } // namespace
 
-/// Returns `now`, or a slightly later time if the last notice has the same time, so that no activity has the length 0.
+/// Returns `now`, or 1 ns after the last notice if that is later, so that no activity has the length 0.
 Time NoticeLog::later_than_last(Time now) {
     constexpr Time shortest = std::chrono::nanoseconds(1);
     return last_ = std::max(now, last_ + shortest);

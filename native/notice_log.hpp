@@ -15,27 +15,26 @@
 
 namespace placedpar::native {
 
-/// A record of one event: a process changes its activity, or does its part of a communication. The numbers are
-/// positions in the tables of Notices.
+/// A record of one event: a process changes its activity, or does its part of a communication. Processes, channels and
+/// lists of channels are numbers: indices in the tables of Notices.
 struct Notice {
     enum class Kind : std::uint8_t {
         turn,
-        local_message,   ///< a message between processes of one kernel; the outputter's notice is followed by the
-                         ///< inputter's
-        crossing_message ///< a message from or to another kernel; that kernel records the other process's part
+        local_message,   ///< a message within one kernel (one thread or rank); the outputter's notice is followed by
+                         ///< the inputter's
+        crossing_message ///< a message from or to another kernel, which records the other process's part
     };
 
     Time at;
     std::uint32_t process;
-    std::uint32_t subject = 0; ///< the list of awaited channels, or the channel of a message
-    std::uint32_t number =
-        0; ///< number of the message among the messages that this kernel's processes output or input on the channel
+    std::uint32_t subject = 0; ///< number of the list of awaited channels, or of the message's channel
+    std::uint32_t number = 0;  ///< number of the message on its channel, counted at this end
     Kind kind = Kind::turn;
     std::uint8_t activity; ///< an Activity; outputting or inputting for a message
     bool awaits_timer = false;
 };
 
-/// What happened on one kernel of a native run, in order of time.
+/// What happened on one kernel of a native run (on one thread or rank), in order of time.
 struct Notices {
     std::vector<Notice> all;
     std::vector<std::string> processes, channels;    ///< names
@@ -44,10 +43,11 @@ struct Notices {
     std::optional<Time> full_at;                     ///< time at which the record was full; later notices are missing
 };
 
-/// Records what happens on one kernel of a native run.
+/// Records what happens on one kernel of a native run. The kernels record separately; NativeTrace joins their notices
+/// after the run.
 class NoticeLog final : public TraceSink {
 public:
-    /// Records nothing after `until`, and at most `most` notices. REQUIRES: the kernel runs among others
+    /// Records nothing after `until`, and at most `most` notices. REQUIRES: the kernel belongs to a native run
     /// (Kernel::run_among), and outlives this object.
     NoticeLog(const Kernel& kernel, Time until, std::size_t most) : kernel_(kernel), until_(until), most_(most) {}
 

@@ -6,10 +6,10 @@
 
 namespace placedpar::native {
 
-/// Offers the outputter's message to another kernel by the function `offer`, and waits until it has been taken. If the
-/// run is recorded, the wait begins before the offer; otherwise the record could show that the message was taken before
-/// its output began. If the run is not recorded, the offer comes first, so that the other kernel need not wait until
-/// the clock has been read.
+/// Outputs a message to a process on another thread or rank of a native run. Calls `offer`, which offers the message,
+/// and waits until the message has been taken. If the run is recorded for a trace, the wait begins before the offer.
+/// Otherwise the record could show that the message was taken before its output began. If the run is not recorded, the
+/// offer comes first, which is faster for the receiver.
 template <class Offer>
 void offer_and_wait(Process& self, const AnyChannel& channel, const SourceLocation& where, Offer offer) {
     if (!self.kernel().trace()) {

@@ -12,13 +12,14 @@ namespace placedpar::native {
 
 namespace {
 
-/// Each operation that a polling process repeats takes one cycle, so that other processes can run.
+/// An operation that a polling process repeats takes one cycle, so that other processes can run. All other operations
+/// take no time.
 constexpr OperationCosts costs_of_polls{.timer_wait_past = Cycles{1}, .alternation_end = Cycles{1}};
 
 /// The end time of a computation that is too long for a Time.
 constexpr Time last_moment = Time::max() - Time{1};
 
-/// Returns how long a cycle takes; zero if the processes of the node compute in no time.
+/// Returns how long a cycle of the node's processor takes in the run; zero if its processes compute in no time.
 Time paced_cycle(const Network& network, std::size_t node, double pace) {
     if (!executes_in_time(network, node) || !network.nodes[node].attributes.contains("clock"))
         return {};

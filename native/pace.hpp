@@ -18,14 +18,14 @@ class Kernel;
 
 namespace placedpar::native {
 
-/// Executes the processes of one kernel of a native run at the pace of the netlist's processors: a computation takes
-/// the time that its cycles take on the process's processor, divided by the pace. The kernel waits until this time is
-/// over, so processes of other processors continue meanwhile. The time that the computation really takes on this
-/// computer is part of it. If a process computes repeatedly without a wait, lateness does not accumulate.
+/// Slows a native run, that is, a run in real time on this computer, down to `pace` times the speed of the simulated
+/// machine. A computation takes the time of its cycles on the netlist's processor, divided by `pace`. The process waits
+/// until this time is over, while processes of other processors continue. The time that the computation really takes on
+/// this computer is included. If a process computes repeatedly without a wait, lateness does not accumulate.
 ///
-/// A processor does one computation at a time, in the order in which its processes begin them. Meanwhile its other
-/// processes can communicate. Channels, PAR, ALT and timers are not slowed down. All processors of a kernel are one
-/// executive, so that channels between these processors need no carrier.
+/// A processor does one computation at a time, in the order in which its processes begin computations. Meanwhile its
+/// other processes can communicate. Channels, PAR, ALT and timers are not slowed down. One object stands for all
+/// processors whose processes run on one thread. So channels between these processors need no carrier, such as a link.
 class Pace final : public Executive {
 public:
     /// REQUIRES: pace > 0; the kernel outlives this object.

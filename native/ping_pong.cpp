@@ -69,7 +69,7 @@ Ball touched(Ball ball) {
     return ball;
 }
 
-/// The two processes, and the median time of their rounds.
+/// The two processes. They also measure the median time of a message there and back.
 class Players {
 public:
     explicit Players(const PingPong& match)
@@ -120,7 +120,7 @@ public:
     }
 
 private:
-    /// The halves of a channel. If both processes are on one thread, only the first half is used.
+    /// A channel: one object for each thread. If both processes are on one thread, only `output` is used.
     struct Halves {
         Channel<Ball> output, input;
         explicit Halves(const char* name) : output(name), input(name) {}
@@ -134,7 +134,7 @@ private:
     std::list<Crossing> crossings_;
 };
 
-/// Runs two alternating processes on one kernel, and returns the time of a switch.
+/// Runs two processes in turn on one thread, and returns the time of a switch between them in nanoseconds.
 double run_switches(Simulation& simulation, long times) {
     Batches switches(size_of_batch(times));
     simulation.process("one", [&] {
@@ -200,8 +200,8 @@ RankMatches::RankMatches(Ranks& ranks) : ranks_(ranks), mail_(ranks.open_mail())
 
 RankMatches::~RankMatches() { ranks_.send(1, no_more); }
 
-/// Begins a measurement. Returns when rank 1 has finished the previous measurement; otherwise the previous measurement
-/// could take letters of the new measurement.
+/// Begins a measurement. Waits until rank 1 has finished the previous measurement, which could otherwise take letters
+/// of the new one.
 void RankMatches::announce(const PingPong& match) {
     ranks_.send(1, text_of(match));
     wait_for_message(ranks_);

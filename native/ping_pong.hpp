@@ -12,25 +12,26 @@ class Ranks;    // ranks/ranks.hpp
 
 namespace placedpar::native {
 
-/// Two processes that send a message back and forth many times.
+/// Two processes that send a message there and back many times, to measure what messages between threads or ranks cost.
 struct PingPong {
-    std::size_t kernels = 2; ///< 1: both processes are on one kernel
+    std::size_t kernels = 2; ///< 1: both processes are on one thread; 2: on two threads
     long times = 1000;       ///< at least 1
-    std::size_t bytes = 0;   ///< length of the message; both processes write to each cache line of it
-    Time pause{};            ///< time before each message, in which no process has anything to do
+    std::size_t bytes = 0;   ///< length of the message; both processes write to each of its cache lines
+    Time pause{};            ///< time before each message in which no process has anything to do, so that threads fall
+                             ///< asleep
 };
 
-/// Runs the two processes natively on threads. Returns the time for a message there and back, without the pauses, in
-/// nanoseconds. The result is the median of batches of messages, because other programs on the computer can make some
-/// batches take much longer.
+/// Runs the two processes on threads of this computer. Returns the time for a message there and back, without the
+/// pauses, in nanoseconds. The result is the median of batches of messages, because other programs can disturb some
+/// batches.
 double nanoseconds_there_and_back(const PingPong&);
 
-/// Returns the time of a switch from one process to another on a kernel, in nanoseconds: the median of batches of
-/// switches. REQUIRES: times >= 1.
+/// Returns the time of a switch from one process to another on the same thread, in nanoseconds: the median of batches
+/// of switches. REQUIRES: times >= 1.
 double nanoseconds_of_switch(long times);
 
-/// Measures the time of a message there and back between rank 0 and rank 1 of mpirun. Rank 0 measures, and rank 1 takes
-/// part.
+/// Measures the same times between two ranks, that is, copies of the program that mpirun started. Rank 0 measures, and
+/// rank 1 takes part.
 ///
 /// REQUIRES: there are two ranks. Rank 1 calls play_with_rank_zero() when rank 0 makes an object of this class; the
 /// call returns when the object is destroyed.
@@ -52,7 +53,8 @@ private:
 };
 void play_with_rank_zero(Ranks&);
 
-/// Returns by how many nanoseconds a short pause of a rank (pause_after) is longer than requested.
+/// Returns by how many nanoseconds a short sleep of a thread is longer than requested. A rank sleeps in such pauses
+/// while it has nothing to do.
 double nanoseconds_of_oversleeping();
 
 } // namespace placedpar::native

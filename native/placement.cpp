@@ -41,7 +41,7 @@ std::vector<std::size_t> place_in_turn(const Network& network, const Places& pla
     return result;
 }
 
-/// Assigns nodes to places one after another.
+/// Assigns nodes (processors of the netlist) one after another to the place with the least load.
 class Balance {
 public:
     explicit Balance(std::size_t places) : filled_(places) {}

@@ -50,7 +50,7 @@ std::string RankGiver::why_not_given_up() const {
                     "message already: place both processes on one rank");
 }
 
-/// Notifies the outputter, once for each message, that the message will be taken.
+/// Sends the outputter the reply that its message will be taken, once for each message.
 void RankTaker::promise() {
     if (state_ != State::open)
         return;
@@ -75,7 +75,7 @@ void RankTaker::input(AnyChannel& channel, const SourceLocation& where) {
         inputter_ = &Kernel::here().running();
         inputter_->wait_for(Activity::inputting, &channel, where);
         if (state_ == State::open)
-            return; // the process stopped waiting, perhaps just before the message arrived
+            return; // the process has given up its input, perhaps just before the message arrived
     }
     const Offer& taken = first();
     first_ = 1 - first_;

@@ -13,20 +13,21 @@
 
 namespace placedpar::native {
 
-/// The outputter's end of a channel between two ranks, whose other end is a RankTaker.
+/// The outputter's end of a channel between two ranks of a native run. A rank is a copy of the program, started by
+/// mpirun. The inputter's end is a RankTaker.
 ///
 /// 1. The outputter sends its message, and waits.
-/// 2. The inputter's end sends a reply as soon as it is certain that the next message will be taken. If a process is
-///    already inputting, the inputter's end replies before the message arrives, otherwise afterwards. So a message that
-///    an ALT does not take remains available.
-/// 3. The communication of each process ends when this process has sent its part and received the other process's part.
+/// 2. The inputter's end sends a reply as soon as it is certain that the inputter will take the next message. The reply
+/// is sent before the message arrives if the inputter is already inputting, and otherwise afterwards. So a message that
+/// an ALT does not choose remains available.
+/// 3. The outputter continues when it has the reply, the inputter when it has the message.
 ///
-/// So the communication is synchronous and each process sends one letter for it. A message too long for a letter is
-/// announced, and is sent as a parcel when it is input.
+/// So the communication is synchronous, and needs one letter from each end. (A letter is a short message of RankMail.)
+/// A longer message is announced in a letter, and sent as a parcel when it is input.
 class RankGiver final : public Carrier, public RankEnd {
 public:
-    /// Puts the channel on this carrier. REQUIRES: the channel is unused and has a packed form; all objects outlive the
-    /// run.
+    /// Makes the channel lead to rank `to`. REQUIRES: the channel is unused and has a packed form; all objects outlive
+    /// the run.
     RankGiver(RankMember& member, AnyChannel& channel, std::size_t number, int to)
         : member_(member), channel_(channel), number_(number), to_(to) {
         channel.put_on(*this);
@@ -35,7 +36,8 @@ public:
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
     void input(AnyChannel&, const SourceLocation&) override {}
     bool message_waits(const AnyChannel&) const override { return false; }
-    /// Throws UserError instead of returning the reason, because the user decides on which ranks processes are placed.
+    /// Throws UserError: a message to another rank cannot be given up. The text asks the user to place both processes
+    /// on one rank.
     std::string why_not_given_up() const override;
     void taker_came() override;
 
@@ -48,17 +50,17 @@ private:
     AnyChannel& channel_;
     std::size_t number_;
     int to_;
-    bool is_awaited_ = false; ///< the reply came before the message was output
+    bool is_awaited_ = false; ///< the reply has come, but no message has been output since
     Process* outputter_ = nullptr;
     MessageBytes packed_;
-    std::uint64_t bytes_ = 0; ///< the bytes that a link would carry for the current message
+    std::uint64_t bytes_ = 0; ///< bytes that a link would carry for the current message
     Traffic sent_;
 };
 
 /// The inputter's end of a channel between two ranks: see RankGiver.
 class RankTaker final : public Carrier, public RankEnd {
 public:
-    /// Puts the channel on this carrier. REQUIRES: as for RankGiver.
+    /// Makes the channel lead from rank `from`. REQUIRES: as for RankGiver.
     RankTaker(RankMember& member, AnyChannel& channel, std::size_t number, int from)
         : member_(member), channel_(channel), number_(number), from_(from) {
         channel.put_on(*this);
@@ -99,7 +101,7 @@ private:
     std::size_t number_;
     int from_;
     std::array<Offer, 2>
-        offers_; ///< the outputter continues when it has the reply, so a second message may arrive early
+        offers_; ///< two, because the outputter continues when it has the reply, and may send a second message early
     std::size_t first_ = 0, count_ = 0;
     State state_ = State::open;
     Process* inputter_ = nullptr; ///< the waiting process

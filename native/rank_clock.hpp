@@ -13,35 +13,37 @@ class Ranks; // ranks/ranks.hpp
 
 namespace native {
 
-/// A reading of a computer's steady clock. The clocks of two computers began at different times.
+/// A reading of a computer's steady clock. The clocks of two computers do not agree.
 using Reading = std::chrono::nanoseconds;
 
 Reading read_clock();
 
-/// The clock of a rank, compared with the clock of rank 0.
+/// The clock of a rank, compared with the clock of rank 0. A rank is a copy of the program, started by mpirun, maybe on
+/// another computer.
 struct ComparedClock {
     Reading at{};    ///< time of the comparison, by rank 0's clock
     Reading ahead{}; ///< how far the rank's clock is ahead of rank 0's clock
     Reading error{}; ///< upper bound for the error of `ahead`
 };
 
-/// Compares the clocks of all ranks with the clock of rank 0. Rank 0 asks each rank for its clock many times and uses
-/// the exchange that took the shortest time. The clock was read at some moment of this exchange, so the error is at
-/// most half of the exchange's duration: F. Cristian, Probabilistic clock synchronization, Distributed Computing 3
-/// (1989), pages 146-158. All ranks return at nearly the same time. Returns the clocks by rank in rank 0, and nothing
-/// in the other ranks. REQUIRES: called in all ranks, and no other text is under way between the ranks.
+/// Compares the clocks of all ranks with the clock of rank 0. Rank 0 asks each rank for its clock many times, and uses
+/// the answer that came in the shortest time. The clock was read at some moment between question and answer, so the
+/// error is at most half the time between them: F. Cristian, Probabilistic clock synchronization, Distributed Computing
+/// 3 (1989), pages 146-158. All ranks return at nearly the same time. Returns the clocks by rank in rank 0, and nothing
+/// in the other ranks. REQUIRES: called in all ranks; the ranks send each other no other texts meanwhile.
 std::vector<ComparedClock> compare_clocks(Ranks&);
 
-/// Converts the times of all ranks to the clock of rank 0, counted from the moment at which the first rank began.
-/// Assumes that each clock drifts evenly between the two comparisons.
+/// Converts the times of all ranks to the clock of rank 0, so that one trace can show events of all ranks. The common
+/// time counts from the moment at which the first rank began. The clocks were compared before and after the run, and
+/// each is assumed to drift evenly in between.
 class CommonClock {
 public:
     /// `begun`: when each rank began, by its own clock.
     CommonClock(std::vector<ComparedClock> before, std::vector<ComparedClock> after, std::vector<Reading> begun);
 
-    /// `since_begun`: time since the rank has begun, by its own clock.
+    /// Returns the common time. `since_begun`: time since the rank began, by its own clock.
     Time convert(std::size_t rank, Time since_begun) const;
-    /// Describes the clocks of the ranks above 0.
+    /// Returns offset, drift and error of the clocks of the ranks above 0, for reports.
     std::vector<RankClock> clocks() const;
 
 private:

@@ -49,7 +49,8 @@ void RankMember::send(int to, Kind kind, const Parts&... parts) {
     mail_.send(to, letter_);
 }
 
-/// Sends a letter and counts it for QuietDetection, because it gives the other rank something to do.
+/// Sends a letter that gives the other rank something to do, and counts it for the detection of the end
+/// (QuietDetection).
 template <class... Parts>
 void RankMember::send_counted(int to, Kind kind, const Parts&... parts) {
     ++sent_;
@@ -99,14 +100,14 @@ void RankMember::stop_others() {
 
 Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chrono::steady_clock::now() - begun_); }
 
-/// Ends the program, and with it all ranks, because without this letter the run cannot end properly.
+/// Ends the program, and with it all ranks, because without the damaged letter the run cannot end properly.
 [[noreturn]] void RankMember::refuse_damaged(const RankLetter& letter, const NoMessage& what) const {
     fmt::print(stderr, "placedpar: rank {} received a damaged message of {} bytes from rank {}: {}\n", mail_.own(),
                letter.bytes.size(), letter.from, what.what());
     std::abort();
 }
 
-/// Handles a letter that concerns no process. Returns false for other letters.
+/// Handles a letter that concerns no process. Returns false for a letter to a process.
 bool RankMember::handle_at_once(const RankLetter& letter) {
     PackedReader from(letter.bytes);
     switch (PackedForm<Kind>::read(from)) {
@@ -147,8 +148,8 @@ void RankMember::handle_for_process(const RankLetter& letter) {
         ends_[channel]->parcel_announced(PackedForm<std::uint64_t>::read(from));
 }
 
-/// Receives letters and parcels. Stores the first letter for a process in `held_`, and the first parcel for a process
-/// in `held_parcel_`. Returns whether either is held.
+/// Receives letters and parcels until one for a process has come, which is stored in `held_` or `held_parcel_`. Returns
+/// whether such a letter or parcel is stored.
 bool RankMember::fetch() {
     while (!held_) {
         std::optional<RankLetter> letter = mail_.receive();
@@ -195,7 +196,7 @@ void RankMember::take_arrivals() noexcept {
         handle_held();
 }
 
-/// Takes part in the detection of the end: rank 0 asks, the others answer. REQUIRES: this rank has nothing to do.
+/// Takes part in the detection of the end: rank 0 asks, the other ranks answer. REQUIRES: this rank has nothing to do.
 void RankMember::take_part_in_rounds(bool awaits_end) {
     const QuietAnswer own_answer{sent_, received_, awaits_end};
     if (mail_.own() == 0 && !detection_.is_asking())
@@ -223,7 +224,8 @@ void RankMember::heed(QuietDetection::Verdict verdict) {
 /// Returns the time for which a rank checks for messages without a pause. It is 0 if this computer has fewer cores than
 /// ranks.
 Time RankMember::patience() const {
-    static const unsigned cores = std::thread::hardware_concurrency(); // this call takes microseconds
+    static const unsigned cores = std::thread::hardware_concurrency(); // called only once, because the call takes
+                                                                       // microseconds
     return static_cast<unsigned>(mail_.count_here()) <= cores ? most_patience_of_rank : Time{0};
 }
 

@@ -20,10 +20,12 @@ class Simulation;
 
 namespace placedpar::native {
 
-/// The time for which a rank checks for messages before it pauses.
+/// The time for which a rank without work checks for messages continuously before it sleeps in pauses. A rank is a copy
+/// of the program, started by mpirun.
 inline constexpr Time most_patience_of_rank = std::chrono::microseconds(50);
 
-/// The end of a channel that leads to another rank. Receives what the other end sends.
+/// The end of a channel that leads to another rank. Its functions are called with what the other end sends: letters,
+/// which are short, and parcels, which are long messages that a letter announces.
 class RankEnd {
 public:
     virtual void message_came(std::span<const std::uint8_t> /*packed*/) {}
@@ -39,31 +41,32 @@ protected:
     ~RankEnd() = default;
 };
 
-/// The kernel of one rank in a native run, and its messages to and from the other ranks. All functions except
-/// interrupt() are called by the thread of the kernel.
+/// Connects the kernel of one rank of a native run with the other ranks. Sends and receives messages, sleeps while the
+/// kernel has nothing to do, and takes part in ending the run. All functions except interrupt() are called by the
+/// thread of the kernel.
 class RankMember final : public Surroundings {
 public:
-    /// `channels`: number of channels of the network. REQUIRES: the mail and the simulation outlive this object.
+    /// `channels`: number of channels of the whole network. REQUIRES: the mail and the simulation outlive this object.
     RankMember(RankMail&, Simulation&, std::size_t channels);
 
     /// Sets this rank's end of a channel. REQUIRES: the end outlives the run.
     void set_end(std::size_t channel, RankEnd& end) { ends_[channel] = &end; }
-    /// Sends a packed message, by a letter or by a parcel.
+    /// Sends a packed message over a channel, in a letter, or in a parcel if it is long.
     void send_message(int to, std::size_t channel, std::span<const std::uint8_t> packed);
     void send_taker(int to, std::size_t channel);
     void expect_parcel(int from, std::size_t channel, std::size_t bytes);
 
-    /// Sends a note to rank 0. A note is a message that no process receives.
+    /// Sends a note to rank 0, that is, a message from a process to the program, outside of channels.
     void send_note(MessageBytes);
     /// Sets the function that receives the notes to this rank. The notes of one rank arrive in the order in which they
     /// were sent.
     void receive_notes(std::function<void(int from, const MessageBytes&)> receiver) { receiver_ = std::move(receiver); }
-    /// Receives notes until the condition holds. REQUIRES: the run is over.
+    /// Receives notes until `has_all` returns true. REQUIRES: the run is over.
     void receive_notes_until(const std::function<bool()>& has_all);
 
     /// Starts the clock of the run.
     void begin() { begun_ = std::chrono::steady_clock::now(); }
-    /// Returns when the clock of the run was started, by the computer's clock.
+    /// Returns the reading of the computer's clock at the start of the run.
     std::chrono::nanoseconds begun() const { return begun_.time_since_epoch(); }
     /// Ends the run of each rank. May be called by any thread.
     void interrupt();
@@ -106,7 +109,7 @@ private:
     std::vector<RankEnd*> ends_; ///< by the number of the channel
     std::function<void(int, const MessageBytes&)> receiver_ = [](int, const MessageBytes&) {};
     std::function<void()> before_reports_ = [] {};
-    std::optional<RankLetter> held_; ///< a letter for a process, kept until take_arrivals() is called
+    std::optional<RankLetter> held_; ///< a letter for a process, kept until the next call of take_arrivals()
     std::optional<RankParcel> held_parcel_;
     MessageBytes letter_; ///< memory for the letter that is being written
     std::uint64_t sent_ = 0, received_ = 0;

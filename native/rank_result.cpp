@@ -51,7 +51,7 @@ namespace {
 
 constexpr std::string_view no_user = "none yet";
 
-/// Returns the users of the channels between ranks. Each end is known only to its own rank.
+/// Returns the users of the channels between ranks, by channel. Each rank knows only the user of its own end.
 std::map<std::string_view, StuckChannel> users_between(const std::vector<RankResult>& results) {
     std::map<std::string_view, StuckChannel> users;
     for (const RankResult& result : results)
@@ -70,7 +70,7 @@ std::string_view parent_of(std::string_view path) {
     return slash == std::string_view::npos ? "" : path.substr(0, slash);
 }
 
-/// Finds a wait cycle in the tables of a report.
+/// Finds a cycle of processes that wait for each other in the tables of a joined report.
 class WaitsInReport {
 public:
     explicit WaitsInReport(const Deadlock& report) : report_(report) {
@@ -115,7 +115,7 @@ private:
     std::map<std::string_view, const StuckChannel*> channels_;
 };
 
-/// Names the users at the other ends of channels between ranks, and lists each channel once.
+/// Completes the report's channels between ranks with the users of both ends, and lists each channel once.
 void complete_channels(Deadlock& deadlock, const std::vector<RankResult>& results) {
     const auto users = users_between(results);
     std::map<std::string, bool> known;

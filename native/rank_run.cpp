@@ -37,7 +37,7 @@ namespace {
 
 using namespace native;
 
-constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // no limit of our own
+constexpr std::size_t most_ranks = std::numeric_limits<std::size_t>::max(); // the number of ranks has no limit here
 
 /// Returns the rank of each node.
 std::vector<std::size_t> ranks_of_nodes(const Network& network, const RankRunSettings& settings, std::size_t ranks) {
@@ -74,7 +74,7 @@ private:
 
 enum class Note : std::uint8_t { of_a_process, result };
 
-/// The part of the run in this rank.
+/// The part of a native run in this rank, that is, in this copy of the program that mpirun started.
 class RankRun {
 public:
     RankRun(const Network& network, const RankRunSettings& settings, Ranks& ranks, RankMail& mail)
@@ -129,7 +129,7 @@ private:
         return log_ ? compare_clocks(ranks_) : std::vector<ComparedClock>{};
     }
 
-    /// Puts a channel that leads to or from another rank on its carrier.
+    /// Connects this rank's end of a channel that leads to or from another rank.
     void lead(std::size_t number) {
         const NetworkChannel& declared = network_.channels[number];
         if (declared.from.at_edge() || declared.to.at_edge())
@@ -188,8 +188,8 @@ private:
         return failure;
     }
 
-    /// Notes which processes use the ends of channels between ranks. It is called when all ranks have stopped, while
-    /// their processes still wait.
+    /// Notes which processes use the ends of channels between ranks, for the report of a deadlock. This function is
+    /// called when all ranks have stopped, while their processes still wait.
     void note_ends() { results_[own()].ends = users_of(led_, simulation_.kernel()); }
 
     RankResult& own_result() {
@@ -233,8 +233,8 @@ private:
         throw UserError(text);
     }
 
-    /// Converts the records of all ranks to the clock of rank 0. The run lasts from the moment at which the first rank
-    /// began to the moment at which the last rank ended.
+    /// Converts the records of all ranks to the clock of rank 0, and passes them to the trace. The run lasts from the
+    /// moment at which the first rank began to the moment at which the last rank ended.
     void hand_over_logs(RunReport& report, const std::vector<ComparedClock>& before,
                         const std::vector<ComparedClock>& after) {
         std::vector<Reading> begun;

@@ -20,14 +20,15 @@ class Ranks;       // ranks/ranks.hpp
 
 struct RankRunSettings {
     std::uint64_t seed = 1;
-    double pace = 0;              ///< as in NativeSettings
-    NativeTrace* trace = nullptr; ///< records the run in rank 0; null: the run is not recorded. REQUIRES: null in all
-                                  ///< ranks or in none
-    /// Returns the load of each node, for the placement of nodes (native/placement.hpp). If this function is empty,
-    /// nodes are placed without loads.
+    double pace = 0;              ///< how many times as fast as the simulated processors the processes compute; 0: at
+                                  ///< the speed of this computer
+    NativeTrace* trace = nullptr; ///< records the run in rank 0, for a trace; null: the run is not recorded. REQUIRES:
+                                  ///< null in all ranks or in none
+    /// Returns the load of each node, that is, the computing time of its processes, from which place_nodes() chooses
+    /// ranks. If this function is empty, nodes are placed without loads.
     std::function<std::vector<Time>()> loads = {};
-    /// Makes the catalogue of process kinds for this rank. `send_note`: sends bytes to rank 0 during the run; REQUIRES:
-    /// called by a process.
+    /// Makes the process kinds for this rank. Their processes may call `send_note` to send bytes to rank 0 during the
+    /// run.
     std::function<std::shared_ptr<const Catalogue>(std::function<void(MessageBytes)> send_note)> make_catalogue;
     /// Called in rank 0 with each note of another rank, in the order in which the other rank has sent them.
     std::function<void(std::span<const std::uint8_t>)> receive_note = [](std::span<const std::uint8_t>) {};
@@ -35,12 +36,13 @@ struct RankRunSettings {
     std::function<bool()> is_interrupted = [] { return false; };
 };
 
-/// Runs the processes of a network natively (native_run.hpp) on the ranks of mpirun. The processes of a node run on one
-/// rank (native/placement.hpp). In the report, the ranks take the place of the processors.
+/// Runs the processes of a network in real time on the ranks of mpirun, that is, on copies of this program. The
+/// processes of a node, that is, a processor of the netlist, run on one rank. In the report, the ranks take the place
+/// of the processors.
 ///
-/// Returns the report in rank 0, and nothing in the other ranks, which must then end silently. Throws in rank 0 alone:
-/// UserError for a network that cannot run natively on this number of ranks, and the exception of a process, with the
-/// number of its rank. REQUIRES: called in all ranks, with the same network and seed.
+/// Returns the report in rank 0, and nothing in the other ranks, which must then end silently. Only rank 0 throws:
+/// UserError if the network cannot run in this way, and the exception of a process, with the number of its rank.
+/// REQUIRES: called in all ranks, with the same network and seed.
 std::optional<RunReport> run_on_ranks(const Network&, const RankRunSettings&, Ranks&);
 
 } // namespace placedpar

@@ -11,7 +11,7 @@
 
 namespace placedpar::native {
 
-/// Counts messages that were taken, and the bytes that a link would carry for them.
+/// Counts messages, and the bytes that a link would carry for them.
 struct Traffic {
     std::uint64_t messages = 0, bytes = 0;
 
@@ -25,24 +25,25 @@ struct Traffic {
     }
 };
 
-/// The contribution of one thread or rank to the report of a run.
+/// The contribution of one thread or rank to the report of a native run. In a native run, processes run in real time on
+/// several threads, or in several copies of the program, the ranks.
 struct RunPart {
     RunResult result;
     std::vector<Measurement> measurements = {};
     std::vector<Time> waited = {};  ///< how long each process of the network waited; 0 for processes of other parts
-    Time rested{};                  ///< how long no process was ready
+    Time rested{};                  ///< how long the thread or rank had no process to run
     std::vector<Traffic> sent = {}; ///< the messages to each part; may be shorter than the number of parts
 };
 
-/// Returns how long each process of the software has waited.
+/// Returns how long each process of the network has waited.
 std::vector<Time> times_waited(const Software&);
 
 /// Puts the processes of a deadlock into the order of the netlist.
 void sort_by_netlist(std::vector<StuckProcess>&, const Network&);
 
-/// Joins the parts of a run. The run is stuck if any part is stuck; otherwise interrupted if any part is; otherwise
-/// completed. Takes the deadlock from any part that has a deadlock. `noun` names a part in the report, such as "thread"
-/// in "thread 0". `place_of_node`: the part of each node.
+/// Joins the parts of a run into one report. The run is stuck if any part is stuck. Otherwise it is interrupted if any
+/// part is interrupted, else completed. The report takes its deadlock from any part that has one. `noun` names a part
+/// in the report, such as "thread" in "thread 0". `place_of_node`: the part of each node.
 RunReport join_parts(const Network&, const std::vector<std::size_t>& place_of_node, const std::string& noun,
                      std::vector<RunPart>);
 

@@ -10,8 +10,9 @@
 
 namespace placedpar {
 
-/// The parcels that a rank expects, each with the MPI request that receives its bytes. Parcels with the same sender and
-/// number are returned in the order in which they were expected, even if a later request is complete earlier.
+/// The parcels that a rank expects, each with the MPI request that receives its bytes. A rank is a copy of the program,
+/// started by mpirun; a parcel is a message of any length (RankMail). Parcels with the same sender and number are
+/// returned in the order in which they were expected, even if MPI completes a later request earlier.
 template <class Request>
 class ExpectedParcels {
 public:

@@ -15,23 +15,23 @@ struct RankLetter {
     std::span<const std::uint8_t> bytes; ///< valid until the next RankMail::receive()
 };
 
-/// A message of any length. The two ranks choose its number.
+/// A message of any length. The two ranks agree on its number, to tell parcels apart.
 struct RankParcel {
     int from;
     int number;
     std::vector<std::uint8_t> bytes;
 };
 
-/// Sends bytes between ranks. Its messages cannot be confused with messages of another mail or with texts of Ranks. No
-/// function waits.
+/// Sends bytes between ranks, that is, copies of the program that mpirun started. Messages of different mails, and
+/// texts of Ranks, are kept apart. No function waits.
 ///
-/// A letter is copied, and needs no agreement: any rank may send a letter to any rank. Letters from one rank to another
-/// arrive in the order in which they were sent. A parcel is not copied: the receiver states in advance which parcel it
-/// expects, so that MPI can write into the receiver's memory. Parcels from one rank to another with the same number
-/// arrive in the order in which they were sent.
+/// A letter is a short message, which is copied. Any rank may send a letter to any rank at any time. Letters from one
+/// rank to another arrive in the order in which they were sent. A parcel is not copied: the receiver states in advance
+/// which parcel it expects, so that MPI can write into the receiver's memory. Parcels from one rank to another with the
+/// same number arrive in the order in which they were sent.
 ///
-/// REQUIRES: used only by the thread that opened it. Every letter has been received, and every parcel expected, before
-/// the mail is closed.
+/// REQUIRES: only the thread that opened the mail uses it. Before the mail is closed, every letter has been received,
+/// and every parcel has been expected.
 class RankMail {
 public:
     /// The most bytes of a letter. Open MPI sends a message of this length at once, without waiting for a reply of the
@@ -53,7 +53,7 @@ public:
 
     /// REQUIRES: number >= 0.
     virtual void send_parcel(int to, int number, std::vector<std::uint8_t>) = 0;
-    /// Prepares memory for a parcel of this length.
+    /// Prepares memory for a parcel of this length. The receiver calls this function before it can receive the parcel.
     virtual void expect_parcel(int from, int number, std::size_t bytes) = 0;
     /// Returns a parcel that was expected and has arrived; nothing if there is none.
     virtual std::optional<RankParcel> receive_parcel() = 0;

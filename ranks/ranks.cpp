@@ -74,8 +74,8 @@ Ranks::Message wait_for_message(Ranks& ranks) {
 
 namespace {
 
-/// A rank above 0 reports its preparation to rank 0 by one of these characters, followed by the digest or the reason of
-/// the failure.
+/// The first characters of the texts by which a rank above 0 reports its preparation to rank 0. After `has_prepared`
+/// follows what identifies the prepared work, after `has_failed` the reason of the failure.
 constexpr char has_prepared = '+', has_failed = '-';
 
 std::string account_of(const std::function<std::string()>& prepare) {
@@ -97,7 +97,7 @@ void require_same(const Ranks::Message& account, const std::string& digest) {
                         account.from));
 }
 
-/// Keeps the first of several failures.
+/// Runs actions, and keeps the first exception that one of them throws.
 class FirstFailure {
 public:
     void try_to(const std::function<void()>& action) {
@@ -123,7 +123,7 @@ void send_to_others(Ranks& ranks, const std::string& text) {
         ranks.send(rank, text);
 }
 
-/// Prepares in rank 0, and compares the reports of all ranks with its own digest.
+/// Prepares the work in rank 0, and checks that all other ranks have prepared the same work.
 void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
     FirstFailure failure;
     std::string digest;
@@ -134,7 +134,7 @@ void prepare_first(Ranks& ranks, const std::function<std::string()>& prepare) {
     failure.rethrow();
 }
 
-/// Prepares in a rank above 0, and returns whether rank 0 begins the work.
+/// Prepares the work in a rank above 0, and returns whether rank 0 begins the work.
 bool prepare_after(Ranks& ranks, const std::function<std::string()>& prepare) {
     ranks.send(0, account_of(prepare));
     return wait_for_message(ranks).text == "begin";

@@ -30,7 +30,7 @@ std::optional<std::size_t> first_ready(std::span<const Guard> guards) {
 }
 
 /// Returns the first ready guard. If this guard is an input, reserves its message, so that the sender can no longer
-/// give the message up.
+/// withdraw the message.
 std::optional<std::size_t> first_kept(std::span<const Guard> guards) {
     auto found = std::ranges::find_if(guards, [](const Guard& guard) {
         return is_ready(guard) && (guard.kind != Guard::input || guard.channel->keep_message());
@@ -84,8 +84,8 @@ void charge_disabling(Process& self, std::span<const Guard> guards) {
 
 } // namespace
 
-/// The sleep of a process until one of its guards is ready. The guards are enabled on their channels as long as the
-/// object exists.
+/// Wakes a process that sleeps until one of its guards is ready: a message waits, or a time has come. The guards are
+/// enabled on their channels as long as the object exists.
 class Alternation final : Event, Listener {
 public:
     Alternation(Process& process, std::span<AnyChannel* const> channels) : process_(process), channels_(channels) {}
@@ -115,8 +115,8 @@ private:
     bool woken_ = false;
 };
 
-/// Marks the process as the user of its guards' channel ends, as long as the object exists. Throws std::logic_error if
-/// another process owns one of the ends.
+/// Marks the process as the user of the channel ends in its guards, as long as the object exists. Throws
+/// std::logic_error if another process owns one of the ends.
 class AtGuards {
 public:
     AtGuards(Process& self, std::span<const Guard> guards) : guards_(guards) {
@@ -148,14 +148,15 @@ void sleep(Process& self, std::span<const Guard> guards, const SourceLocation& w
     self.wait_for(Activity::alternating, {channels.data(), channels.size()}, where, timeout.has_value());
 }
 
-/// Chooses a guard for select(). select() itself records the choice.
+/// Chooses a guard for select(), which records the choice in the process's history, if it keeps one.
 std::size_t choose(Process& self, std::span<const Guard> guards, const SourceLocation& where) {
     AtGuards at_guards(self, guards);
     charge_enabling(self, guards);
     charge(self, first_ready(guards) ? &OperationCosts::alternation_wait_ready : &OperationCosts::alternation_wait);
     std::optional<std::size_t> ready = first_kept(guards);
     const bool has_to_sleep = !ready;
-    for (; !ready; ready = first_kept(guards)) // the sender may have given up the message that woke the process
+    for (; !ready; ready = first_kept(guards)) // repeated, because the sender may withdraw the message that has woken
+                                               // the process
         sleep(self, guards, where);
     const std::size_t chosen = *ready;
     charge_disabling(self, guards);

@@ -15,7 +15,7 @@
 
 namespace placedpar {
 
-/// A guard of an alternation, without the process that it guards.
+/// A guard of an ALT, without the process that it guards. A guard of kind `never` has a false condition.
 struct Guard {
     enum Kind { never, input, timeout, skip } kind;
     AnyChannel* channel = nullptr; ///< only for an input guard
@@ -23,10 +23,10 @@ struct Guard {
     SourceLocation where{};        ///< place in the program
 };
 
-/// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them in the
-/// given order, as occam's PRI ALT does; on a transputer, an ALT does the same. Guards of kind `never`, whose condition
-/// is false, are ignored. Does not input the message of an input guard. Throws std::logic_error if no guard can ever
-/// become ready (in occam such an ALT acts as STOP).
+/// Waits until a guard is ready and returns its index. If several guards are ready, returns the first of them, as
+/// occam's PRI ALT does. (A transputer executes an ALT in this way, too.) Guards of kind `never` are ignored. Does not
+/// input the message of an input guard. Throws std::logic_error if all guards are of kind `never`; in occam such an ALT
+/// acts as STOP.
 std::size_t select(std::span<const Guard> guards, const SourceLocation& = SourceLocation::current());
 
 /// Makes an input guard with the process that it guards: `on(c, [&](int x) { ... })`.
@@ -36,16 +36,15 @@ auto on(Input<T> from, Body body, const SourceLocation& where = SourceLocation::
                      [from, body = std::move(body), where]() mutable { body(from.input(where)); });
 }
 
-/// Makes a timeout guard, occam's `timer ? AFTER t`. The guard is ready from the virtual time `due` on.
+/// Makes a timeout guard, occam's `timer ? AFTER t`. The guard is ready once virtual time has reached `due`.
 template <std::invocable Body>
 auto after(Time due, Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::timeout, nullptr, due, where}, std::move(body));
 }
 
-/// Makes occam's SKIP guard, which is always ready. Guards listed before it are chosen if they are ready; guards listed
-/// after it are never chosen. A process on an executive pays cycles for polling. A process without an executive polls
-/// in no virtual time: other processes get their turn at the same instant, but time passes only when the polling
-/// process waits.
+/// Makes occam's SKIP guard, which is always ready. Earlier guards are chosen if they are ready; later guards are never
+/// chosen. A process uses a SKIP guard to poll. On a processor, polling costs cycles. Without a processor, polling
+/// takes no virtual time: other processes get their turn, but time passes only when the polling process waits.
 template <std::invocable Body>
 auto skip(Body body, const SourceLocation& where = SourceLocation::current()) {
     return std::pair(Guard{Guard::skip, nullptr, Time{}, where}, std::move(body));
@@ -59,7 +58,7 @@ auto when(bool condition, std::pair<Guard, Body> guarded) {
     return guarded;
 }
 
-/// A group of guards that is passed to alt() like a single guard: a replicated guard, or an ALT within an ALT.
+/// Several guards that are passed to alt() like one guard: a replicated guard, or an ALT within an ALT.
 template <class Body>
 struct Guards {
     std::vector<Guard> guards;
@@ -69,14 +68,15 @@ struct Guards {
 template <class Body>
 Guards(std::vector<Guard>, std::vector<std::size_t>, Body) -> Guards<Body>;
 
-/// Holds the index of the input that a fair ALT tests first. The caller keeps the object between executions of the ALT.
+/// The index of the input that a fair ALT tests first. The caller keeps the object from one execution of the ALT to the
+/// next.
 struct Turn {
     std::size_t next = 0;
 };
 
 namespace detail {
 
-/// Makes one guard for each input, beginning with inputs[first]. `body`: called with the number of the input.
+/// Makes one guard for each input, beginning with inputs[first]. `body` is called with the index of the chosen input.
 template <class T, class Body>
 auto replicated(std::span<const Input<T>> inputs, std::size_t first, Body body, const SourceLocation& where) {
     std::vector<Guard> guards;
@@ -98,8 +98,8 @@ auto each(std::span<const Input<T>> inputs, Body body, const SourceLocation& whe
     return detail::replicated(inputs, 0, std::move(take), where);
 }
 
-/// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. Testing starts with the
-/// input after the last chosen input, so every ready input is chosen once before any input is chosen twice (G. Jones,
+/// Makes a fair replicated guard: `each(inputs, turn, [&](std::size_t i, T message) { ... })`. The input after the last
+/// chosen input is tested first. So an input that is ready is chosen before any other input is chosen twice (G. Jones,
 /// Carefully scheduled selection with ALT, occam user group newsletter 10, 1989). REQUIRES: the inputs and the turn
 /// outlive the returned guards.
 template <class T, std::invocable<std::size_t, T> Body>
@@ -112,8 +112,7 @@ auto each(std::span<const Input<T>> inputs, Turn& turn, Body body,
     return detail::replicated(inputs, turn.next, std::move(take), where);
 }
 
-// The next two functions take a vector, such as `environment.inputs<T>("in")`; the vector may be a temporary in the
-// call of alt().
+// The next two functions take a vector of inputs. The vector may be a temporary in the call of alt().
 template <class T, std::invocable<std::size_t, T> Body>
 auto each(const std::vector<Input<T>>& inputs, Body body, const SourceLocation& where = SourceLocation::current()) {
     return each(std::span<const Input<T>>(inputs), std::move(body), where);
@@ -124,7 +123,7 @@ auto each(const std::vector<Input<T>>& inputs, Turn& turn, Body body,
     return each(std::span<const Input<T>>(inputs), turn, std::move(body), where);
 }
 
-/// Makes an ALT within an ALT. The inner guards take the place of the inner ALT, in the same order.
+/// Makes an ALT within an ALT. The outer ALT tests the inner guards in their order, in place of the inner ALT.
 template <class... Bodies>
 auto either(std::pair<Guard, Bodies>... alternatives) {
     std::vector<std::size_t> numbers(sizeof...(alternatives));

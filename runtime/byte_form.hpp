@@ -28,20 +28,20 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// States how messages of a type are written as bytes, for programs in a transputer's own code. The bytes are the same
-/// as in occam's protocols. Numbers are little-endian, and BOOL is a byte of 0 or 1. An array `[n]T` is written as its
-/// elements. A counted array `INT::[]T` is written as the number of elements, in four bytes, followed by the elements.
-/// A variant is written as one byte with the number of its alternative, counted from 0, followed by the alternative. A
-/// specialisation has the functions
+/// States how messages of a type are written as bytes. A C++ process can then communicate with a program that an
+/// emulated transputer executes in its own code. The bytes are those of occam's protocols. Numbers are little-endian,
+/// and BOOL is a byte of 0 or 1. An array `[n]T` is written as its elements. A counted array `INT::[]T` is written as
+/// the number of elements, in four bytes, followed by the elements. A variant is written as one byte with the number of
+/// its alternative, counted from 0, followed by the alternative. A specialisation has the functions
 ///
 ///     static void write(const T&, MessageBytes&);                           // appends the bytes of the message
 ///     static std::uint32_t next_part(std::span<const std::uint8_t> so_far); // the length of the part that follows
 ///                                                                           // `so_far`; 0: the message is complete
 ///     static T read(std::span<const std::uint8_t>);                         // returns the message of these bytes
 ///
-/// `next_part` divides a message into the parts of its WireForm. The last two functions may throw NoMessage. If a
-/// simpler type, such as `INT::[]REAL64`, has the same bytes, the specialisation names that type as `SameAs`. Other
-/// types have no byte form: addresses and padding mean nothing to the other program.
+/// `next_part` divides a message into the parts that a transputer outputs one by one. The last two functions may throw
+/// NoMessage. If a simpler type has the same bytes, such as std::vector<double>, the specialisation names that type as
+/// `SameAs`. Types without a specialisation have no byte form: addresses and padding mean nothing to the other program.
 template <class T>
 struct ByteForm {};
 
@@ -184,7 +184,8 @@ private:
     }
 };
 
-/// The functions of a ByteForm, for a message at an address. `read` stores the message in a std::optional.
+/// The functions of a ByteForm for messages whose type is known only at run time. `slot` points to a std::optional<T>,
+/// in which `read` stores the message.
 struct AnyByteForm {
     void (*write)(const void* message, MessageBytes&);
     std::uint32_t (*next_part)(std::span<const std::uint8_t> so_far);

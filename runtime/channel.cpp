@@ -35,8 +35,8 @@ void require_unused(const void* end, const AnyChannel& channel) {
 
 } // namespace
 
-/// Derives the identity from the process that makes the channel. If no run that keeps histories
-/// (runtime/replay_log.hpp) is under way, derives it from the channel's name.
+/// Returns the identity of a new channel. In a run that keeps histories (runtime/replay_log.hpp), the identity is
+/// derived from the process that makes the channel, otherwise from the channel's name.
 std::uint64_t AnyChannel::new_identity(const std::string& name) {
     const Kernel* kernel = Kernel::current();
     if (!kernel || !kernel->keeps_histories())

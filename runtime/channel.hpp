@@ -22,18 +22,18 @@
 
 namespace placedpar {
 
-/// Receives a call when a message begins to wait in a channel. Alternations are listeners. An attempt
-/// (runtime/recovery.hpp) that a message in another channel can end is a listener, too.
+/// A listener is called when a message begins to wait in a channel. An ALT listens to its channels. A communication
+/// that may be given up (runtime/recovery.hpp) listens to the channel whose message ends it.
 class Listener {
 public:
-    /// Called when a message waits in the channel and no process has asked for it.
+    /// Called when a message begins to wait in the channel while no process is inputting from the channel.
     virtual void message_announced() = 0;
 
 protected:
     ~Listener() = default;
 };
 
-/// Receives a call when the process of an attempt has begun its input or output.
+/// An observer is called when a communication that may be given up has begun.
 class AttemptObserver {
 public:
     virtual void entered() = 0;
@@ -42,24 +42,22 @@ protected:
     ~AttemptObserver() = default;
 };
 
-/// A channel of any protocol. It is synchronous and unbuffered, and leads from one process to one other process. A
-/// process is "in" the channel from the beginning to the end of its output or input.
+/// A channel of any protocol. The channel is synchronous and unbuffered, and leads from one process to one other
+/// process. A process is "in" the channel from the beginning to the end of its output or input.
 ///
-/// The two processes need not know whether the channel is soft or hard. On a soft channel, the process that arrives
-/// second copies the message and continues, and the first process is made ready. On a hard channel, a carrier transfers
-/// the message, for example over a link.
+/// On a soft channel, within one processor, the process that arrives second copies the message and continues, and the
+/// first process is made ready. On a hard channel a carrier, such as a link or a bus, transfers the message.
 ///
-/// 1. A channel is put on a carrier before it is used, or never.
-/// 2. Each end has one owner: a process at the outermost level. Components of its PARs may use the end one after
-/// another. The channel throws std::logic_error if another process uses the end. It also throws if two components of
-/// one PAR use the end, or if a component uses it while another component is still using it.
-/// 3. If the two processes are on different executives, they need a carrier. Without a carrier, the channel throws
+/// 1. A channel is put on a carrier before its first use, or never.
+/// 2. Each end belongs to one process at the outermost level, that is, not a component of a PAR. Components of this
+/// process's PARs may use the end one after another, but not two components of one PAR. Other uses throw
 /// std::logic_error.
+/// 3. If the two processes are on different executives (processors), the channel throws std::logic_error without a
+/// carrier.
 /// 4. A channel belongs to one simulation and outlives the simulation's run.
 class AnyChannel {
 public:
-    /// A process that used an end of a channel. The process may have ended, and its object may be gone. The object of
-    /// its outermost ancestor exists until the end of the simulation.
+    /// A process that used an end of a channel. `process` dangles once the process has ended; `outermost` stays valid.
     struct User {
         const Process* process = nullptr;
         const Process* outermost = nullptr;
@@ -76,46 +74,45 @@ public:
     AnyChannel& operator=(const AnyChannel&) = delete;
 
     const std::string& name() const { return name_; }
-    /// Returns a number that identifies the channel in replay logs. It is different for each channel, and the same in
-    /// each run. REQUIRES: channels made before the run have different names.
+    /// Returns a number that identifies the channel in every run, for logs of actions (runtime/replay_log.hpp).
+    /// REQUIRES: channels made before the run have different names.
     std::uint64_t identity() const { return identity_; }
     virtual std::type_index protocol() const = 0;
     /// Makes the channel hard. Throws std::logic_error while a process is in the channel. REQUIRES: no process has used
     /// the channel yet; the carrier outlives the channel.
     void put_on(Carrier&);
 
-    /// Return the last process that used this end, or null if no process has. Use the pointer only while this process
-    /// is in the channel.
+    /// Return the process that used this end last, or null. The pointer is valid only while this process is in the
+    /// channel.
     const Process* outputter() const { return outputter_.process; }
     const Process* inputter() const { return inputter_.process; }
-    /// Return the last user of each end. The user may have ended.
+    /// Return the last user of the end. This process may have ended.
     const User& last_outputter() const { return outputter_; }
     const User& last_inputter() const { return inputter_; }
-    /// Declare the process that will use an end. The report of a deadlock can then name this process even if it has not
-    /// communicated yet. Throw std::logic_error if another process owns the end. REQUIRES: the process exists until the
+    /// Declare the process that will use an end. A deadlock report can then name this process even before its first
+    /// communication. Throw std::logic_error if another process owns the end. REQUIRES: the process exists until the
     /// end of the simulation.
     void expect_outputter(const Process&);
     void expect_inputter(const Process&);
 
-    // The next functions are for alternations.
-    /// Returns whether an input would find a message.
+    // The next functions are for ALTs.
+    /// Returns whether a message waits to be input.
     bool message_waits() const { return carrier_ ? carrier_->message_waits(*this) : message_ != nullptr; }
-    /// Reserves the waiting message for the next input. Returns false if the message was given up.
+    /// Reserves the waiting message for the next input. Returns false if its sender has given up the message.
     bool keep_message() { return !carrier_ || carrier_->keep_message(*this); }
-    /// Records that the process has a guard on the channel. Throws std::logic_error if the process does not own the
-    /// input end.
+    /// Records that an ALT of the process has a guard on the channel. Throws std::logic_error if the process does not
+    /// own the input end.
     void own_input(const Process& process) {
         own(inputter_, process, "inputs from");
         if (input_out_of_order_)
             refuse_unreset(process, "inputs from");
     }
-    /// Sets whether the input end is guarded. No other process may use a guarded end.
+    /// Sets whether an ALT has a guard on the channel. Meanwhile no other process may use the input end.
     void note_guard(bool there) { inputter_inside_ = there; }
-    /// Announces messages to the listener until disable() is called.
     void enable(Listener& listener) { listener_ = &listener; }
     void disable() { listener_ = nullptr; }
 
-    // The next functions are for attempts (runtime/recovery.hpp).
+    // The next functions are for attempts, that is, communications that may be given up (runtime/recovery.hpp).
     /// Set the observer of the next output (input); null removes the observer. Throw std::logic_error if the channel's
     /// carrier cannot give up a message.
     void attempt_output(AttemptObserver*);
@@ -134,23 +131,25 @@ public:
     bool output_waits() const { return message_ != nullptr; }
     bool input_waits() const { return slot_ != nullptr; }
 
-    /// Return whether the process in output (input) waits for ever, whatever its partner does.
+    /// Return whether the process in output (input) can never continue. A part of the message was lost, or one of the
+    /// two processes has given up the message.
     bool output_is_lost() const { return carrier_ && carrier_->output_is_lost(*this); }
     bool input_is_lost() const { return carrier_ && carrier_->input_is_lost(*this); }
-    /// Return whether the other end has given up a message that this end is still transferring
-    /// (Carrier::output_must_be_reset).
+    /// Return whether the other end has given up the message in the middle. This end then waits until it, too, gives up
+    /// the message and is reset.
     bool output_must_be_reset() const { return carrier_ && carrier_->output_must_be_reset(*this); }
     bool input_must_be_reset() const { return carrier_ && carrier_->input_must_be_reset(*this); }
-    /// Returns the other channels that keep the outputting process waiting (Carrier::held_up_by).
+    /// Returns the other channels of a broadcast that keep the outputting process waiting (Carrier::held_up_by).
     std::vector<const AnyChannel*> held_up_by() const {
         return carrier_ ? carrier_->held_up_by(*this) : std::vector<const AnyChannel*>{};
     }
 
-    /// Returns the name of the device that uses one end in place of a process (Carrier::partner_device).
+    /// Returns the name of the device that uses one end in place of a process; "" if processes use both ends.
     std::string partner_device() const { return carrier_ ? carrier_->partner_device() : ""; }
 
-    /// Describes the current message of a channel between routers: the user's channel to which the packet belongs, and
-    /// whether the packet is an acknowledge. `channel` is null for a message that is not a packet.
+    /// Describes a packet that is the current message of this channel between two routers. `channel` is the user's
+    /// channel to which the packet belongs; null for a message that is not a packet. `acknowledges`: the packet is an
+    /// acknowledge.
     struct PacketPayload {
         const AnyChannel* channel = nullptr;
         bool acknowledges = false;
@@ -161,26 +160,28 @@ public:
     // The next functions are for carriers.
     /// Hands the outputter's message to the inputter. REQUIRES: both processes are in the channel.
     void hand_over();
-    /// Hands the message of another channel to the inputter of this channel. The two channels are the halves of a
-    /// channel between two kernels. REQUIRES: both channels have the same protocol; a process is in output on `other`;
-    /// a process is in input on this channel.
+    /// Hands the message of another channel to the inputter of this channel. The two objects are the ends of one
+    /// channel between two threads of a native run. REQUIRES: both channels have the same protocol; a process is in
+    /// output on `other`; a process is in input on this channel.
     void take_from(AnyChannel& other);
-    /// Returns how messages of the protocol are written as bytes; null if they have no byte form.
+    /// Returns how messages of the protocol are written as bytes for a transputer's own code; null if they cannot be.
     virtual const AnyByteForm* byte_form() const = 0;
     /// Returns the outputter's message as bytes. REQUIRES: byte_form() is not null; a process is in output.
     MessageBytes message_in_bytes() const;
-    /// Tells the trace that the outputter's message has been taken on another kernel. REQUIRES: a process is in output.
+    /// Tells the trace that another thread of a native run has taken the outputter's message. REQUIRES: a process is in
+    /// output.
     void tell_taken_elsewhere() const {
         if (const Kernel& kernel = outputter_.process->kernel(); kernel.trace())
             tell_trace(kernel);
     }
-    /// Notes that a device has taken the outputter's message. REQUIRES: a process is in output.
+    /// Notes in the fingerprint and the trace that a device has taken the outputter's message. REQUIRES: a process is
+    /// in output.
     void note_taken_by_device() { note_communication(outputter_.process->kernel()); }
     /// Hands a device's message to the inputter. Throws NoMessage if the bytes are not a message of the protocol.
-    /// REQUIRES: ByteForm::next_part returns 0 for the bytes; a process is in input.
+    /// REQUIRES: the bytes are complete (ByteForm::next_part returns 0); a process is in input.
     void hand_over(std::span<const std::uint8_t> bytes);
-    /// Returns the functions that pack messages for another copy of the program; null if messages of the protocol
-    /// cannot be packed.
+    /// Returns the functions that pack messages as bytes for another copy of this program; null if messages of the
+    /// protocol cannot be packed.
     virtual const AnyPackedForm* packed_form() const = 0;
     /// Appends the outputter's message in packed form. REQUIRES: packed_form() is not null; a process is in output.
     void pack_message(MessageBytes& to) const { packed_form()->write(message_, to); }
@@ -190,20 +191,19 @@ public:
     /// Returns whether the next input may be given up.
     bool is_attempted_input() const { return input_attempt_ != nullptr; }
     /// Returns whether the messages that wait in both channels are equal. Returns nothing if messages of this protocol
-    /// cannot be compared (SameMessage). REQUIRES: a process is outputting on each of the two channels.
+    /// cannot be compared. REQUIRES: a process is outputting on each of the two channels.
     std::optional<bool> has_message_of(const AnyChannel& other) const {
         return protocol() == other.protocol() ? are_same(message_, other.message_) : false;
     }
-    /// Notifies the listener, if there is one, that a message waits and no process has asked for it.
+    /// Tells the listener that a message begins to wait.
     void announce() {
         if (listener_)
             listener_->message_announced();
     }
 
 protected:
-    // The common path of a communication is inlined into the caller; waiting and rare cases are not. If the partner
-    // waits in a soft channel, the process copies the message and completes the communication. Otherwise it waits. On a
-    // hard channel the process always waits, even if its partner is already waiting.
+    // The steps of output and input. If the partner waits in a soft channel, the process copies the message and
+    // completes the communication. Otherwise, and on a hard channel, the process waits.
 
     void begin_output(Process& self, const WireForm& form) {
         if (ReplayLog* history = self.kernel().begin_operation(self)) [[unlikely]]
@@ -219,7 +219,7 @@ protected:
             begin(self, costs->soft_communication);
         own(inputter_, self, "inputs from");
     }
-    /// Return the slot (message) of a partner that waits in a soft channel, or null if no partner waits.
+    /// Return the partner's slot (message) if the partner waits in a soft channel, or null otherwise.
     void* soft_slot(const Process& self) const {
         if (is_particular_) [[unlikely]]
             return soft_partner(self, slot_, output_out_of_order_, output_attempt_, "outputs to");
@@ -238,9 +238,9 @@ protected:
             refuse_without_carrier(self, *waiting_);
         note_communication(self.kernel());
     }
-    /// Complete the communication for the second process, which has copied the message. The process pays for the copy,
-    /// and its partner continues. During the copy no other process may use this process's end. An output of one word
-    /// has already paid for its copy.
+    /// Complete the communication for the second process, which has copied the message. The process computes for the
+    /// cycles of the copy, and then its partner continues. During the copy no other process may use this process's end.
+    /// The cost of an output of one word already includes the copy.
     void part_from_inputter(Process& self, const WireForm& form) {
         const Executive* executive = self.executive();
         bool pays = executive && !executive->costs().is_one_word(form);
@@ -277,8 +277,8 @@ protected:
 
 private:
     static std::uint64_t new_identity(const std::string& name);
-    /// Marks a process as present at an end of the channel, as long as the object exists. For the same time, stores the
-    /// address of the process's message, or of its slot for a message, in `*place`.
+    /// Marks an end of the channel as in use, as long as the object exists. During this time `*place` holds the address
+    /// of the process's message, or of its slot for a message.
     class Inside {
     public:
         explicit Inside(bool& flag, void** place = nullptr, void* mine = nullptr) : flag_(flag), place_(place) {
@@ -345,19 +345,17 @@ private:
     [[noreturn]] void refuse_without_carrier(const Process& self, const Process& other) const;
     [[noreturn]] void refuse_unreset(const Process& self, const char* verb) const;
 
-    // The members are grouped into cache lines in the order of use. The first members are needed for each
-    // communication.
+    // The first members are needed for each communication, so they share cache lines.
     Carrier* carrier_ = nullptr;             ///< null if the channel is soft
     void* message_ = nullptr;                ///< set while an outputter is in the channel
     void* slot_ = nullptr;                   ///< set while an inputter is in the channel
     Process* waiting_ = nullptr;             ///< on a soft channel, the process that arrived first
     const WireForm* waiting_form_ = nullptr; ///< form of the waiting process's message, if the process outputs
-    Listener* listener_ = nullptr;     ///< set by an alternation, or by an attempt that a message in this channel ends
-    bool is_particular_ = false;       ///< the channel is hard, or has an attempt at an end; one test covers both
-                                       ///< cases
-    bool outputter_inside_ = false;    ///< a process is in output
-    bool inputter_inside_ = false;     ///< a process is in input, or has a guard on the channel
-    bool output_out_of_order_ = false; ///< a message was given up at the output end, and the end must be reset
+    Listener* listener_ = nullptr;           ///< set by an ALT, or by an attempt that a message in this channel ends
+    bool is_particular_ = false;             ///< the channel is hard, or a communication on it may be given up
+    bool outputter_inside_ = false;          ///< a process is in output
+    bool inputter_inside_ = false;           ///< a process is in input, or has a guard on the channel
+    bool output_out_of_order_ = false;       ///< a message was given up at the output end, so the end must be reset
     bool input_out_of_order_ = false;
     User outputter_, inputter_;
 
@@ -374,7 +372,8 @@ class Channel;
 
 namespace detail {
 
-/// True if an implicit conversion would lose information: a number's fraction, or the target of a pointer.
+/// True if an implicit conversion would lose information: from a floating-point number to an integer, or from a pointer
+/// to bool.
 template <class From, class To>
 concept Loses = (std::floating_point<From> && std::integral<To>) || (std::is_pointer_v<From> && std::same_as<To, bool>);
 
@@ -391,7 +390,7 @@ public:
     void output(T message, const SourceLocation& where = SourceLocation::current()) const {
         own().output(std::move(message), where);
     }
-    /// Deleted, because a REAL is not a message of a CHAN OF INT.
+    /// Deleted, because the conversion would lose information: a REAL is not a message of a CHAN OF INT.
     template <detail::Loses<T> Other>
     void output(Other, const SourceLocation& = SourceLocation::current()) const = delete;
     AnyChannel& channel() const { return own(); }
@@ -410,7 +409,7 @@ class Input {
 public:
     Input() = default;
     T input(const SourceLocation& where = SourceLocation::current()) const { return own().input(where); }
-    /// Inputs into a slot, for attempts. If the message is given up, the slot stays empty.
+    /// Inputs a message into the slot. If the message is given up (runtime/recovery.hpp), the slot stays empty.
     void input_into(std::optional<T>& slot, const SourceLocation& where) const { own().input_into(slot, where); }
     AnyChannel& channel() const { return own(); }
     explicit operator bool() const { return channel_ != nullptr; }
@@ -422,7 +421,7 @@ private:
     Channel<T>* channel_ = nullptr;
 };
 
-/// An end of a channel of any protocol. It is used to declare that a process will use the end.
+/// An end of a channel of any protocol. Simulation::process takes such ends to declare which process will use them.
 class DeclaredEnd {
 public:
     template <class T>

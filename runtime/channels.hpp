@@ -11,8 +11,8 @@
 
 namespace placedpar {
 
-/// An array of channels: occam's `[n]CHAN OF T`. The array can be moved. Its channels keep their addresses, so their
-/// ends stay valid. An array that was moved from is empty.
+/// An array of channels: occam's `[n]CHAN OF T`. The array can be moved, and the ends of its channels stay valid. An
+/// array that was moved from is empty.
 template <class T>
 class Channels {
 public:
@@ -22,8 +22,7 @@ public:
         for (std::size_t i = 0; i < count; ++i)
             channels_.emplace_back(element(name, i));
     }
-    /// Makes one hard channel on each carrier. A carrier may be a direction of a link. REQUIRES: the carriers outlive
-    /// the array.
+    /// Makes one hard channel on each carrier, such as a direction of a link. REQUIRES: the carriers outlive the array.
     Channels(const std::string& name, const std::vector<std::reference_wrapper<Carrier>>& on) {
         for (std::size_t i = 0; i < on.size(); ++i)
             channels_.emplace_back(element(name, i), on[i].get());

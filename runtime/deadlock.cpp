@@ -21,20 +21,21 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< grouped by kernel, and in order of creation
 
-/// Returns a sort key: it orders the processes of a run by kernel, and the processes of each kernel by their creation.
+/// Returns a number that orders the processes of a run by kernel, and those of one kernel by their creation.
 std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {
     return std::uint64_t{outermost.kernel().number()} << 32 | ordinal;
 }
 std::uint64_t place_of(const Process* process) { return place_of(process->outermost(), process->ordinal()); }
 
-/// Returns the process that has to act at a channel's end. This is the end's last user. If this user was a component of
-/// a PAR and has ended, it is the outermost process that the component belonged to.
+/// Returns the process that must act at a channel's end: the last user of the end. If this user was a component of a
+/// PAR and has ended, returns its ancestor at the outermost level.
 const Process* who_is(const AnyChannel::User& user, const Processes& living) {
     if (!user.outermost)
         return nullptr;
     const std::uint64_t place = place_of(*user.outermost, user.ordinal);
     auto found = std::ranges::lower_bound(living, place, {}, [](const Process* each) { return place_of(each); });
-    // The address is not enough: a later component may have the address of one that ended.
+    // The address alone does not identify the process: a later component may have the address of a component that
+    // ended.
     bool lives = found != living.end() && place_of(*found) == place && *found == user.process;
     return lives ? user.process : user.outermost;
 }
@@ -50,8 +51,8 @@ std::string path_of(const AnyChannel& channel, const AnyChannel::User& user, con
 
 bool halted(const Process& process) { return process.executive() && process.executive()->halted(); }
 
-/// Adds the processes that have to act before the outputting process can continue. These are the inputter, or the
-/// processes that hold up the message (Carrier::held_up_by).
+/// Adds the processes that must act before the outputting process can continue: usually the inputter. In a broadcast,
+/// they are the processes at other channels that have not taken the message.
 void add_awaited_by_output(const AnyChannel& channel, const Processes& living, Processes& partners) {
     auto held_up_by = channel.held_up_by();
     if (held_up_by.empty() || (channel.output_waits() && !channel.input_waits()))
@@ -60,8 +61,8 @@ void add_awaited_by_output(const AnyChannel& channel, const Processes& living, P
         partners.push_back(who_is(other->output_waits() ? other->last_inputter() : other->last_outputter(), living));
 }
 
-/// Returns the processes for which this process waits. If it waits on channels, it continues when one of these
-/// processes acts.
+/// Returns the processes for which this process waits. A process that waits on several channels continues when one of
+/// these processes acts.
 Processes awaited_by(const Process& process, const Processes& living) {
     Processes partners;
     if (halted(process))
@@ -79,8 +80,8 @@ Processes awaited_by(const Process& process, const Processes& living) {
     return partners;
 }
 
-/// Returns the channels on which a process waits. Returns no channels if the process is ready, and only its executive
-/// has halted.
+/// Returns the channels on which a process waits. A process whose processor has halted may be ready, and then waits on
+/// none.
 std::span<const AnyChannel* const> channels_of_wait(const Process& process) {
     return process.activity() == Activity::ready ? std::span<const AnyChannel* const>{} : process.awaited_channels();
 }
@@ -117,11 +118,11 @@ std::string names_of(const std::vector<const AnyChannel*>& channels) {
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Describes the outputs that are held up by other channels. Outputs that are held up by the same channels share one
-/// text.
+/// Describes the outputs of broadcasts that wait until other channels take the same message. Outputs that wait for the
+/// same channels share a text.
 std::vector<std::string> describe_held_up(const Processes& stuck) {
     using Channels = std::vector<const AnyChannel*>;
-    // Each entry has channels whose outputs are held up, and the channels that hold them up.
+    // Each entry has the channels whose outputs wait, and the channels for which they wait.
     std::vector<std::pair<Channels, Channels>> held_up;
     for (const Process* process : stuck)
         if (process->activity() == Activity::outputting)
@@ -141,8 +142,8 @@ std::vector<std::string> describe_held_up(const Processes& stuck) {
     return texts;
 }
 
-/// Describes the channels on which one process gave up a message half-way, while the other process still transfers the
-/// message.
+/// Describes the channels on which one process gave up a message in the middle, but the other process still waits for
+/// the rest.
 std::vector<std::string> describe_unreset(const Processes& stuck, const Processes& living) {
     std::vector<std::string> texts;
     std::unordered_set<const AnyChannel*> known;
@@ -201,9 +202,9 @@ Deadlock deadlock_of(const Processes& stuck, const Processes& living) {
     return deadlock;
 }
 
-/// Returns whether a known partner must still come to the channel. If both processes already communicate on the
-/// channel, the message only needs time, unless a link has lost it. If a link has delivered the message, only the
-/// acknowledge is missing, and no partner is needed.
+/// Returns whether the process waits for a known partner to come to the channel. If both processes already communicate,
+/// they need only time, unless a link has lost a part of the message. If only the acknowledge is missing, no partner is
+/// needed.
 bool lacks_partner(const Process& process, const AnyChannel& channel) {
     bool known = channel.last_outputter().process && channel.last_inputter().process;
     switch (process.activity()) {
@@ -228,7 +229,7 @@ bool is_lost(const Process& process) {
            (!process.awaits_timer() && std::ranges::any_of(process.awaited_channels(), lost));
 }
 
-/// Returns whether it is known which processes can make this process continue. This is also so if no process can.
+/// Returns true if this process can continue only by the action of known processes, or not at all.
 bool needs_partner(const Process* process) {
     if (is_lost(*process))
         return true;
@@ -263,7 +264,7 @@ std::vector<StuckChannel> users_of(std::span<const AnyChannel* const> channels, 
     return users;
 }
 
-/// Finds the largest set of waiting processes in which no process waits for a living process outside the set.
+/// Finds the largest set of waiting processes that wait only for each other or for processes that have ended.
 std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
     auto living = kernel.living();
     Processes stuck;
@@ -286,8 +287,8 @@ std::optional<Deadlock> find_partial_deadlock(const Kernel& kernel) {
 
 namespace {
 
-/// Returns the text of the last column in a row, or the heading of this column if `row` is null. Returns "" if there is
-/// no netlist.
+/// Returns the text of the column "netlist" in a row, or the heading of this column if `row` is null. Returns "" if
+/// there is no netlist.
 template <class Rows>
 std::string last_column(const Rows& rows, const typename Rows::value_type* row) {
     if (std::ranges::all_of(rows, [](const auto& each) { return each.netlist.empty(); }))
@@ -327,8 +328,8 @@ std::string print(const std::vector<StuckChannel>& rows) {
     return out;
 }
 
-/// Lists the processes that wait for a process that has ended. Such a wait is the usual cause of a deadlock without a
-/// cycle.
+/// Lists the processes that wait for a process that has ended, because such a wait is the usual cause of a deadlock
+/// without a cycle.
 std::string print_ended(const std::vector<StuckChannel>& rows) {
     constexpr std::string_view ended = " (has ended)";
     std::string out;

@@ -12,7 +12,7 @@ namespace placedpar {
 class AnyChannel;
 class Kernel;
 
-/// A process that no event and no process will ever wake.
+/// A process that waits for ever, because no event and no other process can wake it.
 struct StuckProcess {
     std::string path;
     Activity activity;
@@ -32,11 +32,11 @@ struct StuckChannel {
 /// Reports why a simulation cannot continue: which process waits for which. The report holds no memory addresses, so
 /// two reports of the same deadlock are equal.
 struct Deadlock {
-    std::vector<std::string> cycle; ///< paths of processes in a wait cycle: each waits for the next, the last for the
-                                    ///< first; may be empty
-    /// Reasons why processes wait although their partners are ready, such as "a, b: the message waits until it is taken
-    /// on c, too, because one message goes to all these channels" and "in: no message can pass until sink, too, gives
-    /// up its message and resets its end, because source gave up the message in the middle".
+    std::vector<std::string> cycle; ///< paths of processes of which each waits for the next, and the last for the
+                                    ///< first; empty if there is no such cycle
+    /// Reasons why processes wait although their partners are ready. Examples: "a, b: the message waits until it is
+    /// taken on c, too, because one message goes to all these channels"; "in: no message can pass until sink, too,
+    /// gives up its message and resets its end, because source gave up the message in the middle".
     std::vector<std::string> held_up;
     std::vector<StuckProcess> processes;
     std::vector<StuckChannel> channels;
@@ -46,18 +46,18 @@ struct Deadlock {
     std::string text() const;
 };
 
-// REQUIRES of the next functions: they are called at the end of a run, before the processes are unwound.
+// The next functions must be called at the end of a run, before the processes are unwound.
 
 /// Reports all processes that have not ended.
 Deadlock find_deadlock(const Kernel&);
-/// Does the same for a run with several kernels, which are in the order of their numbers. REQUIRES: the ends of their
-/// channels have been declared (AnyChannel::expect_outputter).
+/// Does the same for a native run, whose processes run on several kernels, one for each thread. REQUIRES: the kernels
+/// are in the order of their numbers; the users of all channel ends have been declared (AnyChannel::expect_outputter).
 Deadlock find_deadlock(std::span<const Kernel* const>);
 /// Returns the users of these channels, named as in a report.
 std::vector<StuckChannel> users_of(std::span<const AnyChannel* const>, const Kernel&);
 /// Reports the processes that wait only for each other or for processes that have ended, while other processes could
-/// still continue. Returns nothing if there are no such processes. A process is not counted if it waits on a channel
-/// whose other end has not been used: some process may still use that end.
+/// still continue. Returns nothing if there are no such processes. A process that waits on a channel whose other end
+/// was never used is not reported, because some process may still use that end.
 std::optional<Deadlock> find_partial_deadlock(const Kernel&);
 
 /// Returns the verb for an activity: "outputs", "alternates", and so on.

@@ -5,11 +5,12 @@
 
 namespace placedpar {
 
-/// The number of children of a node. With four children the heap is half as deep as with two, and each step down the
-/// heap reads adjacent cache lines.
+/// The number of children of a node of the heap. With four children the heap is half as deep as with two, and each step
+/// down reads adjacent cache lines.
 constexpr std::size_t children = 4;
 
-/// The number of events that fit into a second-level cache of 1 Mbyte (our estimate).
+/// The number of events that fit into a second-level cache of 1 Mbyte (our estimate). With more events, prefetching is
+/// worth its time.
 constexpr std::size_t events_in_a_cache = 30'000;
 
 constexpr std::uint64_t order(EventQueue::Priority priority, std::uint64_t rank) {
@@ -97,8 +98,8 @@ void EventQueue::sift_up(Entry entry, std::size_t position) {
     put(entry, position);
 }
 
-/// Returns the earliest of several siblings. Four siblings are compared in pairs and without a branch, because the host
-/// processor cannot predict the outcome.
+/// Returns the earliest of several siblings. Four siblings are compared in pairs without a branch, because the host
+/// processor could not predict it.
 inline std::size_t EventQueue::earliest(const Entry* heap, std::size_t first, std::size_t end) {
     static_assert(children == 4);
     if (end - first == children) {

@@ -10,8 +10,8 @@ namespace placedpar {
 
 class EventQueue;
 
-/// Something that will happen at a moment of virtual time: a delay ends, a bit arrives. An event is in the queue at
-/// most once. Its destructor removes it from the queue.
+/// Something that will happen at a moment of virtual time, such as the end of a delay or the arrival of a bit. An event
+/// is in the queue at most once. Its destructor removes it from the queue.
 class Event {
 public:
     Event() = default;
@@ -32,13 +32,14 @@ private:
     std::size_t position_ = 0;
 };
 
-/// The queue of future events: a heap with the key (time, priority, insertion or rank). kernel.hpp states the rule of
-/// ordering.
+/// The queue of future events. It is a heap, ordered by time, then by priority, then by rank or order of insertion. A
+/// rank is a number that a device has reserved for its events, so that their order does not depend on the time of
+/// scheduling.
 class EventQueue {
 public:
     /// The order within an instant: requests for a wire, starts of packets on the wire, arrivals that wake processes,
-    /// turns of executives, timers. Simultaneous events of the first three kinds are ordered by their ranks, the others
-    /// in the order in which they were scheduled.
+    /// turns of executives, timers. Events of the first three kinds happen in the order of their ranks, the others in
+    /// the order in which they were scheduled.
     enum Priority : std::uint64_t { request, start, arrival, turn, timer };
 
     ~EventQueue();
@@ -54,9 +55,8 @@ public:
     /// Schedules the event. Events of equal time and priority happen in the order in which they were scheduled.
     /// REQUIRES: the event is not scheduled.
     void schedule(Event&, Time, Priority);
-    /// Schedules the event. Events of equal time and priority happen in the order of their ranks (Kernel::new_ranks),
-    /// in whatever order they were scheduled. REQUIRES: the event is not scheduled, and no other event of this time and
-    /// priority has the same rank.
+    /// Schedules the event. Events of equal time and priority happen in the order of their ranks (Kernel::new_ranks).
+    /// REQUIRES: the event is not scheduled, and no other event of this time and priority has the same rank.
     void schedule(Event&, Time, Priority, std::uint64_t rank);
     /// Do the same as cancel() followed by schedule(), at less cost.
     void reschedule(Event&, Time, Priority);
@@ -71,8 +71,8 @@ private:
         Time time;
         std::uint64_t order; ///< priority in the upper 8 bits, insertion or rank in the lower bits
         Event* event;
-        /// Returns time and order as one number. Two comparisons would need a branch, which the host processor cannot
-        /// predict. Times are not negative.
+        /// Returns time and order as one number. To compare them one after the other would need a branch that the host
+        /// processor cannot predict. REQUIRES: the time is not negative.
         __extension__ unsigned __int128 key() const {
             return static_cast<decltype(key())>(static_cast<std::uint64_t>(time.count())) << 64 | order;
         }

@@ -7,8 +7,9 @@ namespace placedpar {
 
 namespace {
 
-/// Records the computation. Returns whether the process only replays a recorded history. This function is not inlined,
-/// so that the stack frames of the many processes without a history stay small.
+/// Records the computation in the process's history. Returns whether the process only repeats the history, in which
+/// computations take no time. The function is not inlined, so that the stack frames of processes without a history stay
+/// small.
 [[gnu::noinline]] bool only_repeats(ReplayLog& history, Cycles cycles, const CodeShape& grain) {
     auto word = [](Cycles number) { return static_cast<std::uint64_t>(number); };
     if (cycles < Cycles{0} || grain.between_points < Cycles{1} || grain.instruction < Cycles{1} ||

@@ -9,10 +9,9 @@
 
 namespace placedpar {
 
-/// The part of a running simulation that Boost.Fiber sees. The kernel decides which process runs, and resumes the
-/// process's fiber itself. This algorithm only receives the fibers that Boost announces. It hands new fibers to the
-/// kernel. Fibers that existed before the run (Boost's dispatcher, the host program's own fibers) are not resumed until
-/// the run is over. Boost's own clocks are never used.
+/// The scheduling algorithm that Boost.Fiber requires. In fact the kernel decides which process runs, and resumes the
+/// process's fiber itself. This class only hands new fibers to the kernel. Fibers that existed before the run (Boost's
+/// dispatcher and the calling program's fibers) are not resumed until the run is over. Boost's clocks are never used.
 class FiberScheduler final : public boost::fibers::algo::algorithm {
 public:
     using Context = boost::fibers::context;
@@ -22,8 +21,8 @@ public:
 
     Context* host() const { return host_; }
 
-    /// States that the next fiber that Boost announces belongs to a new worker, whose stack processes run on
-    /// (runtime/worker.hpp).
+    /// States that the next fiber that Boost announces belongs to a new worker. A worker is a fiber on which processes
+    /// run.
     void expect_worker() { newest_ = nullptr, expecting_worker_ = true; }
     Context* newest_worker() const { return newest_; }
 

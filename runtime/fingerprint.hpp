@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// A hash of a run's events in order. If two runs have equal fingerprints, the same processes communicated with each
-/// other, at the same virtual times and in the same order.
+/// A hash of the communications of a run and the ends of its processes. If two runs have equal fingerprints, the same
+/// processes communicated with each other, at the same virtual times and in the same order. Tests compare fingerprints
+/// to show that a change of the program does not change its results.
 class Fingerprint {
 public:
     Fingerprint() = default;

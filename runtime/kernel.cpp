@@ -22,8 +22,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns an error about the end of virtual time. The error names the first process that computes or waits for its
-/// timer, because this computation or delay may be too long.
+/// Returns the error for a run whose next event is beyond the end of virtual time. The error names the first process
+/// that computes or waits for its timer, because this computation or delay may be too long.
 [[gnu::cold, gnu::noinline]] std::exception_ptr beyond_the_end_of_time(const Kernel& kernel) {
     const std::vector<const Process*> living = kernel.living();
     auto late = std::ranges::find_if(living, [](const Process* p) {
@@ -36,8 +36,7 @@ namespace {
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
 }
 
-/// Moves a random number of processes from the front of the ready queue to its end. This function is not inlined,
-/// because few runs are shuffled.
+/// Moves a random number of processes from the front of the ready queue to its end, in runs with a random order.
 [[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
     while (!ready.empty() && lots.chance(0.5))
         ready.push_back(*ready.pop_front());
@@ -71,15 +70,15 @@ void Kernel::refuse_outside_a_run() {
     throw Unwinding{};
 }
 
-/// Handles the rare cases of begin_operation(), in a function of its own, so that begin_operation() stays short.
+/// Handles the rare cases of begin_operation(), which is inlined and must stay short.
 [[gnu::cold, gnu::noinline]] ReplayLog* Kernel::attend(const Process& running) {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::interrupted))
         give_way();
     return running.history();
 }
 
-/// Checks a process that has done many operations while virtual time stood still. Throws std::logic_error after too
-/// many operations. If the run is interrupted, makes the process give way, so that it is unwound.
+/// Checks a process that has done many operations while virtual time stood still, as it polls for ever. Throws
+/// std::logic_error after too many operations. If the run is interrupted, gives way, so that the process is unwound.
 void Kernel::check_timeless_operations() {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;
@@ -147,8 +146,8 @@ inline bool Kernel::over() const {
     }
 }
 
-/// The number of stacks that fit into a second-level cache (our estimate). A process that continues reads about ten
-/// lines of its stack, and a cache of half a Mbyte has 8,000 lines in all.
+/// The number of stacks that fit into a second-level cache (our estimate); with more, prefetching is worth its time. A
+/// process that continues reads about ten cache lines of its stack, and a cache of half a Mbyte has 8,000 lines.
 constexpr std::size_t stacks_in_a_cache = 500;
 
 inline bool Kernel::begin_communication(Process& p) {
@@ -191,7 +190,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
 
 [[gnu::cold, gnu::noinline]] void Kernel::read_wall_clock() { hot_.now = std::max(hot_.now, surroundings_->now()); }
 
-/// Takes the messages of other kernels, and performs the events that are due.
+/// In a native run, takes the messages of other kernels, and performs the events that are due.
 [[gnu::noinline]] void Kernel::look_around() {
     read_wall_clock();
     hot_.between_programs = true;
@@ -207,7 +206,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
         hot_.ready.push_front(*woken);
 }
 
-/// Waits for other kernels or for the next event. Returns false when the run is over.
+/// In a native run, waits for messages of other kernels or for the next event. Returns false when the run is over.
 [[gnu::noinline]] bool Kernel::rest() {
     const Time due = hot_.future.empty() ? Time::max() : hot_.future.next_time();
     const Surroundings::Rest rest = surroundings_->rest(due, !end_.after_work.empty());
@@ -219,7 +218,7 @@ void Kernel::run_among(Surroundings& surroundings, std::uint32_t number) {
     return rest != Surroundings::Rest::forever;
 }
 
-/// Ends the work, and wakes the processes that wait for its end. Returns whether there were such processes.
+/// Ends the work if processes wait for its end, and makes them ready. Returns whether there were such processes.
 [[gnu::cold, gnu::noinline]] bool Kernel::go_on_after_work() {
     if (end_.after_work.empty())
         return false;
@@ -274,7 +273,7 @@ bool Kernel::pass_time(Time until) {
     return true;
 }
 
-/// Switches to a process. Null means the fiber that called run().
+/// Switches to the fiber of a process, or, if the process is null, to the fiber that called run().
 void Kernel::switch_to(Process* p) {
     hot_.running = p;
     SwitchedStack& from = *hot_.stack_in_use;
@@ -346,8 +345,8 @@ std::optional<StackUser> Kernel::who_overflowed(const void* address) {
     return stack_user(*running);
 }
 
-/// Ends the program if the process has written beyond its stack. The kernel calls this function if some stacks have no
-/// guard zone, which would detect an overflow at once.
+/// Ends the program if the process has written beyond its stack. This check is for stacks without a guard zone, which
+/// would detect an overflow at once.
 [[gnu::cold, gnu::noinline]] void Kernel::require_own_stack(const Process& process) {
     const Stack& stack = process.worker_->memory;
     if (stack.guarded || !stack.has_overflowed())

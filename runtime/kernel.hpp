@@ -26,49 +26,53 @@ class ReplayLog;
 class Surroundings;
 class TraceSink;
 
-/// The reason why a run ended. `stuck`: some processes will never be woken.
+/// The reason why a run ended. `stuck`: nothing more can happen, but some processes still wait.
 enum class Ending { completed, stuck, time_limit, interrupted };
 
 /// Returns a word such as "completed" or "deadlock".
 const char* name_of(Ending);
 
-/// Destroys a worker. The worker's memory is a part of its own stack.
+/// Destroys a worker, that is, a fiber that runs processes. The worker is not on the heap: its memory is part of the
+/// fiber's stack.
 struct EndWorker {
     void operator()(Worker*) const;
 };
 
-/// Thrown through each process that still waits when its simulation is over, so that the process's stack is unwound. A
-/// process that catches everything must let this exception pass. No destructor may communicate, compute or wait.
+/// Thrown through each process that still waits when its simulation is over, so that destructors clean up the process's
+/// stack. A process that catches all exceptions must rethrow this one. During unwinding, destructors may not
+/// communicate, compute or wait.
 class Unwinding {};
 
-/// The process that threw an exception, with the time, and the place of its last wait ("slave.cpp:57"; empty if it
-/// never waited).
+/// The process that threw an exception, the time, and the place of the process's last wait, such as "slave.cpp:57". The
+/// place is empty if the process never waited.
 struct Failure {
     std::string process;
     Time time{};
     std::string where;
 };
 
-/// Decides which process runs next, and what time it is.
+/// Decides which process runs next, and keeps the virtual time. A program uses the kernel through Simulation; devices
+/// and occam's constructs use it directly. An executive is the device that executes a process: a processor, a bus
+/// master or a workstation.
 ///
 /// The rule of ordering: ready processes run in the order in which they became ready, each until it waits. When no
-/// process is ready, the earliest event happens, and virtual time becomes its time. Within an instant events happen by
-/// priority (EventQueue::Priority). Within a priority they happen by rank or, without ranks, in the order in which they
-/// were scheduled. Nothing else decides, and no wall clock is read, so a simulation is deterministic.
+/// process is ready, the earliest event happens, and virtual time becomes its time. Events of the same time happen by
+/// priority (EventQueue::Priority). Within a priority they happen by rank (new_ranks) or, without ranks, in the order
+/// in which they were scheduled. Nothing else influences the order, so a simulation is deterministic.
 ///
-/// A kernel of a native run, which uses the wall clock, differs: see run_among().
+/// In a native run, where processes run in real time on several threads, this rule does not hold: see run_among().
 ///
-/// The work is over when no process is ready and no event is scheduled. It is also over when every process of the
-/// program has ended, even if the machine could continue. The run then ends too, unless processes have asked to
-/// continue after the work.
+/// The work of a run is over when no process is ready and no event is scheduled. The work is also over when every
+/// process of the program has ended, even if the machine could continue. At the end of the work the run ends. However,
+/// processes that called after_work() continue first.
 ///
 /// 1. A kernel is used by one thread; only interrupt() may be called from another thread.
 /// 2. A kernel runs once, and no other kernel runs on its thread during the run.
 /// 3. wait(), give_way() and running() may be called only by the process that is being executed.
 /// 4. A process is destroyed before its kernel, and only when it has ended or the run is over.
 ///
-/// Processes are Boost fibers. When a process ends, its fiber runs the next process, so a PAR in a loop needs no new
-/// stack.
+/// Processes run on Boost fibers. When a process ends, its fiber is used for another process, so a PAR in a loop needs
+/// no new stacks.
 class Kernel {
 public:
     Kernel();
@@ -78,8 +82,8 @@ public:
 
     /// Returns the kernel that this thread is running; null outside of a run.
     static Kernel* current() { return current_; }
-    /// Returns the kernel that runs the caller. Throws std::logic_error if the caller is not a process, because outside
-    /// of a run a program cannot communicate, compute or wait.
+    /// Returns the kernel that runs the caller. Throws std::logic_error if the caller is not a process, because only
+    /// processes can communicate, compute or wait.
     static Kernel& here() {
         if (!current_ || !current_->hot_.running)
             refuse_outside_a_run();
@@ -91,7 +95,7 @@ public:
     Time limit() const { return hot_.limit; }
     /// Returns the process whose program is being executed.
     Process& running() const { return *hot_.running; }
-    /// Returns the process whose program is being executed. Null while an event happens, and while the kernel begins a
+    /// Returns the running process, like running(). Returns null while an event happens, and while the kernel begins a
     /// communication for a process.
     const Process* who_runs() const { return hot_.between_programs ? nullptr : hot_.running; }
     EventQueue& future() { return hot_.future; }
@@ -99,8 +103,8 @@ public:
     /// Returns the sink of the trace; null if the run is not traced.
     TraceSink* trace() const { return hot_.trace; }
     void trace_to(TraceSink& sink) { hot_.trace = &sink; }
-    /// Reserves `count` successive ranks for the events of a device, and returns the first rank. Devices are ranked in
-    /// the order of their calls.
+    /// Reserves `count` successive ranks for a device's events, and returns the first rank. Simultaneous events of one
+    /// priority happen in the order of their ranks, whenever they were scheduled.
     std::uint64_t new_ranks(std::uint64_t count) { return std::exchange(ranks_, ranks_ + count); }
 
     /// Lets a process continue: at once if it has no executive, otherwise when its turn on the executive comes.
@@ -112,29 +116,29 @@ public:
     }
     /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
-    /// Takes the running process off its executive, and runs other processes until the running process is made ready
-    /// again. If there is a successor, makes it ready; it must have an executive. Throws Unwinding when the simulation
-    /// is over.
+    /// Takes the running process off its executive, and runs other processes until this process is made ready again.
+    /// Also makes `successor` ready, unless it is null. Throws Unwinding when the simulation is over. REQUIRES: the
+    /// successor has an executive.
     void wait(Process* successor = nullptr);
-    /// Runs other processes until the running process is made ready, but does not take it off its executive. This
-    /// function is for a process that keeps its executive while it computes, and for a process that has already left
-    /// its executive.
+    /// Runs other processes until the running process is made ready, but does not take it off its executive. For a
+    /// process that keeps its executive while it computes, and for a process that has already left its executive.
     void give_way();
-    /// Begins an operation of the running process: output, input, ALT, computation, delay, PAR. Returns the process's
-    /// history, which records the operation, or null if the process keeps no history. Throws Unwinding when the
-    /// simulation is over. In a run with histories it also throws Unwinding after an interruption. A process that
-    /// repeats its history never waits, so it would not notice the interruption otherwise. Ends the program with a
-    /// message if the process has caught Unwinding many times.
+    /// Begins an operation of the running process: output, input, ALT, computation, delay or PAR. Returns the process's
+    /// history, that is, the log in which it must record the operation (Process::keep), or null if it keeps none.
+    /// Throws Unwinding when the simulation is over. In a run with histories, throws Unwinding also after an
+    /// interruption, because a process that repeats its history never waits. Ends the program with a message if the
+    /// process has caught Unwinding many times.
     ReplayLog* begin_operation(const Process& running) {
         if (hot_.rare_conditions.any_of(RareConditions::unwinding | RareConditions::histories)) [[unlikely]]
             return attend(running);
         return nullptr;
     }
-    /// Returns whether processes keep histories.
+    /// Returns whether processes record their operations in histories.
     bool keeps_histories() const { return hot_.rare_conditions.any_of(RareConditions::histories); }
-    /// Counts an operation that took no time. After more than `unchecked` operations in a row, each call checks the
-    /// run. If the run was interrupted, ends the process by throwing Unwinding. After `most_operations_at_once`
-    /// operations throws std::logic_error, because time would never pass. While processes are unwound, throws nothing.
+    /// Counts an operation that took no virtual time, to detect a process that polls for ever without letting time
+    /// pass. From the operation after the first `unchecked` ones on, throws Unwinding if the run was interrupted. After
+    /// `most_operations_at_once` operations at one time, throws std::logic_error. Throws nothing while processes are
+    /// unwound.
     void count_timeless_operation(std::uint64_t unchecked = 0) {
         if (std::exchange(hot_.operations_at, hot_.now) != hot_.now)
             hot_.operations_at_once = 0;
@@ -142,13 +146,13 @@ public:
             check_timeless_operations();
     }
     static constexpr std::uint64_t most_operations_at_once = 100'000'000;
-    /// The number of clock readings in a row, at one virtual time, that are not checked. Up to this number, reading the
-    /// clock never throws, so that a destructor may do it.
+    /// The number of clock readings at one virtual time that are not checked. These readings never throw, so a
+    /// destructor may read the clock.
     static constexpr std::uint64_t unchecked_readings = most_operations_at_once / 1000;
-    /// Makes a waiting process ready when the work is over.
+    /// Makes the process ready when the work is over. REQUIRES: the process then waits.
     void after_work(Process& p) { end_.after_work.push_back(p); }
     /// Advances virtual time to `until` if nothing else can happen before or at that time. Returns whether time was
-    /// advanced. This has the same effect as a wait, but saves two context switches.
+    /// advanced. The effect is that of a wait, without two context switches.
     bool pass_time(Time until);
 
     /// The functions that the kernel calls at the end of the work, and at the end of the run.
@@ -157,27 +161,27 @@ public:
         std::function<void(Ending)> run_over = [](Ending) {};
     };
     /// Runs until the end. `limit`: the time limit of the work. Only the work is traced. The observer is called while
-    /// the remaining processes are still in their waits; then they are unwound. Rethrows what a process or the observer
-    /// threw; after a process threw, the observer is not called. Throws std::logic_error if a simulation is already
-    /// running on this thread, or if the kernel has run before. Throws std::overflow_error if the next event is beyond
-    /// the end of virtual time.
+    /// the remaining processes are still in their waits. Then these processes are unwound by Unwinding. Rethrows what a
+    /// process or the observer threw. If a process threw, the observer is not called. Throws std::logic_error if a
+    /// simulation is already running on this thread, or if the kernel has run before. Throws std::overflow_error if the
+    /// next event is beyond the end of virtual time.
     ///
     /// May be called from a Boost fiber. The thread's other fibers are not resumed during the run. Afterwards they are
     /// scheduled round robin, even if another algorithm was in use before.
     Ending run(Time limit, Observer);
-    /// Runs ready processes in an order drawn from the seed, and not in the order in which they became ready. This is
-    /// another possible execution of the program. It can show that the program depends on the order. The scheduling of
-    /// executives does not change.
+    /// Makes the run take ready processes in a random order, drawn from the seed. A correct program must work in every
+    /// order, so a shuffled run can reveal a fault. Executives still schedule their own processes as before.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
     }
-    /// Makes this kernel one of the kernels of a native run. Its time is the time of the wall clock, and the other
-    /// kernels send it messages. An event that is due happens between two turns of processes. The run is over when no
-    /// kernel has anything to do. Processes that a message or an event has woken come first (TurnsOfWoken). `number` is
-    /// the number of this kernel in the run. REQUIRES: called before the run; the surroundings outlive it.
+    /// Makes this kernel one of the kernels of a native run, which runs processes in real time on several threads or
+    /// programs. The kernel's time is the wall clock, and messages come from the other kernels. An event that is due
+    /// happens between two turns of processes. Processes that a message or an event has woken run first (TurnsOfWoken).
+    /// The run is over when no kernel has anything to do. `number` is the number of this kernel in the run. REQUIRES:
+    /// called before the run; the surroundings outlive the run.
     void run_among(Surroundings& surroundings, std::uint32_t number);
-    /// Returns the surroundings of a native run; null in virtual time.
+    /// Returns the surroundings, that is, the clock and the other kernels of a native run; null in virtual time.
     Surroundings* surroundings() const { return surroundings_; }
     std::uint32_t number() const { return number_; }
     /// Sets now() to the time of the wall clock. Does nothing in virtual time.
@@ -190,7 +194,8 @@ public:
 
     /// Returns the failure that ended the run, if a process threw an exception.
     const std::optional<Failure>& who_failed() const { return end_.who_failed; }
-    /// Returns every process of the program that has not ended, in order of creation.
+    /// Returns every process of the program that has not ended, in the order of creation. Processes that serve the
+    /// machine (Process::serve_machine) are left out.
     std::vector<const Process*> living() const;
 
 private:
@@ -246,16 +251,15 @@ private:
         TraceSink* trace = nullptr;
         Process* running = nullptr;
         SwitchedStack* stack_in_use = nullptr;
-        Time operations_at{};                 ///< time of the last operations that took no time
-        std::uint64_t operations_at_once = 0; ///< number of operations at this time that took no time
+        Time operations_at{};                 ///< time at which an operation last took no time
+        std::uint64_t operations_at_once = 0; ///< number of such operations at this time
         bool between_programs = false;
         bool stacks_exceed_cache = false;
     };
     /// The existing processes.
     struct Population {
-        std::vector<Process*> all; ///< in any order
-        std::size_t of_the_program =
-            0; ///< number of processes of the program that have not ended; at 0, RareConditions::no_process_left is set
+        std::vector<Process*> all;      ///< in any order
+        std::size_t of_the_program = 0; ///< number of processes of the program that have not ended
         std::uint32_t next_ordinal = 0;
     };
     /// The fibers on which processes run.

@@ -14,10 +14,11 @@
 
 namespace placedpar {
 
-/// Holds eight doubles in registers of `width` doubles: for example, the same parameter of eight individuals of a
-/// population. Code written for double works for Lanes, too. Each lane gets the same bits as a double would, because
-/// every operation rounds once. The functions `max` and `min` compare as std::max and std::min do. Create and use Lanes
-/// only in the `Work` of in_vectors(), so that the code is compiled for this width.
+/// Eight doubles, on which each operation works at once. For example, an objective function is evaluated for eight
+/// individuals of a population at once. `width` is the number of doubles in a register. Code written for double works
+/// for Lanes, too. Each of the eight lanes gets the same bits as a double would, because every operation rounds once.
+/// The functions `max` and `min` compare as std::max and std::min do. Create and use Lanes only in the `Work` that is
+/// passed to in_vectors(), because only that code is compiled for this width.
 template <std::size_t width>
 class Lanes {
 public:
@@ -41,8 +42,8 @@ public:
         });
         return result;
     }
-    // The copy constructor is not trivial, so that Lanes are passed in memory. Code that is compiled for another width
-    // also expects Lanes in memory.
+    // The copy constructor is not trivial, so that functions pass Lanes in memory. In registers, code compiled for
+    // another width would not find them.
     [[gnu::always_inline]] Lanes(const Lanes& other) { *this = other; }
     [[gnu::always_inline]] Lanes& operator=(const Lanes& other) {
         each([&](std::size_t i) { registers_[i] = other.registers_[i]; });

@@ -36,11 +36,11 @@ private:
     std::span<const std::uint8_t> left_;
 };
 
-/// States how values travel to another copy of this program: as bytes that hold the whole value, in the byte order of
-/// this computer. (ByteForm, which serves other programs, may leave out parts that these programs do not need.) Values
-/// without addresses are copied byte by byte. A std::string can be packed. A std::vector, std::variant, std::optional
-/// or std::shared_ptr<const T> can be packed if its contents can. For a structure of such values, list the members
-/// before a channel carries the structure:
+/// States how values travel to another copy of this program, such as another MPI rank of a native run. The bytes hold
+/// the whole value, in the byte order of this computer. (ByteForm is for other programs, and may leave out what they do
+/// not need.) Values without addresses are copied byte by byte. A std::string can be packed. A std::vector,
+/// std::variant, std::optional or std::shared_ptr<const T> can be packed if its contents can. For a structure of such
+/// values, list the members before a channel carries the structure:
 ///
 ///     struct Report {
 ///         std::vector<double> values;
@@ -207,7 +207,8 @@ T unpack(std::span<const std::uint8_t> bytes) {
     return value;
 }
 
-/// The functions of a PackedForm, for a message at an address. `read` stores the message in a std::optional.
+/// The functions of a PackedForm for messages whose type is known only at run time. `slot` points to a
+/// std::optional<T>, in which `read` stores the message.
 struct AnyPackedForm {
     void (*write)(const void* message, MessageBytes&);
     void (*read)(std::span<const std::uint8_t>, void* slot);

@@ -13,7 +13,7 @@ Priority own_priority() { return Kernel::here().running().priority(); }
 
 namespace {
 
-/// Returns the cost of starting all components except the last one, which the process runs itself.
+/// Returns the cost of starting all components except the last one, which runs in the place of the process.
 Cycles cost_of_starting(const std::vector<Component>& components, Priority own, const OperationCosts& cost) {
     Cycles all{};
     for (std::size_t i = 0; i + 1 < components.size(); ++i)
@@ -27,7 +27,7 @@ void note_beginning(const std::vector<Component>& components, ReplayLog& history
                        {static_cast<std::uint64_t>(component.priority)});
 }
 
-/// Returns a body that also charges the component for the end of its run.
+/// Returns a body that also computes for the cycles that the end of a component costs.
 Process::Body with_end(const Process& parent, Process::Body body) {
     if (!parent.executive())
         return body;

@@ -20,16 +20,16 @@ struct Component {
     Priority priority;
 };
 
-/// Runs the components as processes on the executive of the running process, such as its processor, and waits until all
-/// have ended. If the running process has an executive, it starts all components but the last, and runs the last itself
-/// before the others get their turn, as in occam. Without an executive, the components begin in their order. If a
-/// component throws, the simulation ends, and its run rethrows the exception.
+/// Runs the components as processes on the processor of the running process, and waits until all have ended. As in
+/// occam, the running process starts all components but the last, and the last component runs first, in its place. If
+/// the running process has no processor, the components begin in their order. If a component throws, the simulation
+/// ends, and its run rethrows the exception.
 void run_in_parallel(std::vector<Component>, const SourceLocation&);
 
 /// Returns the priority of the running process, which its components inherit.
 Priority own_priority();
 
-/// The first component of a PAR. The conversion of a body to this type records the place of the call of `par`.
+/// The first component of a PAR. Its implicit constructor records the place of the call of `par` for reports.
 struct FirstComponent {
     template <ComponentBody Body>
     FirstComponent(Body&& b, const SourceLocation& here = SourceLocation::current())

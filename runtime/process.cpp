@@ -88,8 +88,8 @@ void Process::begin_wait(Activity activity, const AnyChannel* channel, const Sou
     note_wait(activity);
 }
 
-/// Waits for a channel. All functions of a wait are inlined here: if another fiber has run before a function returns,
-/// the host processor mispredicts the return.
+/// Waits for a channel. All functions of a wait are inlined here, because the host processor mispredicts the return
+/// from a function in which it has switched to another fiber.
 [[gnu::flatten]] void Process::wait_for(Activity activity, const AnyChannel* channel, const SourceLocation& where) {
     begin_wait(activity, channel, where);
     finish_wait();
@@ -126,7 +126,8 @@ inline bool Process::computes_at_once(Cycles cycles, const CodeShape& fineness) 
         kernel_.give_way();
 }
 
-/// Begins the communication. Returns whether the process has to wait; if so, its executive takes the next process.
+/// Begins the communication. Returns whether the process must wait. In this case it leaves its executive, which takes
+/// the next process.
 bool Process::begin_communication() {
     communicates_ = std::exchange(communication_, nullptr)->begin(*this);
     if (communicates_ && executive_)

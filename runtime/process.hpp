@@ -19,27 +19,28 @@ class Kernel;
 class Process;
 class Worker;
 
-/// The shape of a computation's code: at which points a process can leave the executive, and how many of its words are
-/// outside the chip. Lengths are in cycles of the executive, at least 1.
+/// Describes the code of a computation, as far as it influences scheduling and time. An executive is the device that
+/// executes a process, such as a transputer. Lengths are in cycles of the executive, at least 1.
 struct CodeShape {
-    /// Distance between descheduling points (`j`, `lend`), at which a low-priority process yields after its timeslice.
+    /// Distance between the instructions `j` or `lend`, at which a low-priority process yields if its timeslice is
+    /// over.
     Cycles between_points{1};
-    /// Cycles of one instruction; an interrupt waits for the end of an instruction. A division of integers takes 39
-    /// cycles (databook).
+    /// Length of the computation's instructions, which are taken to be equal. A high-priority process that becomes
+    /// ready waits for the end of the current instruction. A division of integers takes 39 cycles (databook).
     Cycles instruction{1};
-    /// Number of words of code and data that the computation reads or writes outside the chip. The computation's cycles
-    /// count each such access as an access on the chip; the executive adds the difference.
+    /// Number of accesses to words of memory outside the chip, for code and data. The computation's cycles already
+    /// count each access at the speed of on-chip memory; the executive adds the difference.
     std::int64_t words_outside = 0;
 };
 
 /// The two priorities of occam's processes.
 enum class Priority { high, low };
 
-/// The activity of a process or, in a trace, of a link or a bus. Process::activity() is `ready`, one of the waits (a
-/// `stopped` process waits for ever), or `ended`. In a trace, a process can also be `starting`, `executing`,
-/// `computing`, or `moving` words over a bus. The trace itself adds `carrying` for a link with a message, and
-/// `arbitrating` for a process that waits during the arbitration of a bus. Only reports use `halted`: the process's
-/// executive has stopped for ever. The numbers up to `stopped` are in the files of traces and must not change.
+/// What a process does or, in a trace, a link or a bus. Process::activity() is `ready`, `ended`, or a wait, from
+/// `delayed` to `stopped`. A `stopped` process waits for ever. In a trace, a process can also be `starting`,
+/// `executing`, `computing`, or `moving` words over a bus. In a trace, a link with a message is `carrying`, and a
+/// process that waits for a bus is `arbitrating`. Only reports use `halted`: the process's executive has stopped for
+/// ever. The numbers up to `stopped` are in the files of traces and must not change.
 enum class Activity {
     executing,
     carrying,
@@ -69,11 +70,12 @@ struct Join {
     std::size_t components_left;
     Process& parent;
     std::size_t components = components_left;
-    std::uint32_t first_ordinal = 0; ///< ordinal of the first component; the others have the next numbers
+    std::uint32_t first_ordinal = 0; ///< number of the first component in the simulation; the others have the next
+                                     ///< numbers
 };
 
-/// A communication that begins after a computation. The kernel begins it without resuming the program, which saves a
-/// context switch.
+/// A communication that a process begins after a computation, such as the computation of its cost. To save a context
+/// switch, the kernel begins the communication without resuming the process after the computation.
 class Communication {
 public:
     Communication() = default;
@@ -85,16 +87,16 @@ protected:
 
 private:
     friend class Process;
-    /// Called at the process's turn. Returns whether the process now waits; in this case the function has called
-    /// Process::begin_wait. If the process does not wait, its program continues. The kernel calls this function like an
-    /// event, on the stack of any process; Kernel::running() returns the process that communicates. The function must
-    /// not wait in any other way.
+    /// Called at the process's turn. If the process must wait, calls Process::begin_wait and returns true; otherwise
+    /// returns false, and the process continues. The kernel calls the function on the stack of any process, but
+    /// Kernel::running() returns the process that communicates. The function itself must not wait.
     virtual bool begin(Process&) noexcept = 0;
 };
 
-/// A process of the simulation. It has a body, which runs on a fiber. If it is placed, it has an executive, which it
-/// shares with other processes. The `par` or the simulation that made the process owns it. The owner destroys the
-/// process only when the process has ended or the simulation is over.
+/// A process of the simulation: a function, the body, which runs on a fiber. A process that is placed has an executive,
+/// which it shares with other processes. A process made by the simulation is at the outermost level; a process made by
+/// `par` is a component of a PAR. The maker owns the process, and destroys it only when the process has ended or the
+/// simulation is over.
 class Process {
 public:
     using Body = std::function<void()>;
@@ -117,7 +119,8 @@ public:
     const Process* parent() const { return join_ ? &join_->parent : nullptr; }
     /// Returns the process's ancestor at the outermost level. At the outermost level, returns the process itself.
     const Process& outermost() const { return *outermost_; }
-    /// Returns whether the process with the given ordinal is another component of a PAR that contains this process.
+    /// Returns whether the process with this ordinal is another component of a PAR to which this process belongs,
+    /// directly or through its ancestors.
     bool is_beside(std::uint32_t ordinal) const;
     /// Returns the process's executive; null if the process is not placed.
     Executive* executive() const { return executive_; }
@@ -126,38 +129,38 @@ public:
     bool ended() const { return activity_ == Activity::ended; }
     /// Returns whether the process has had a turn. REQUIRES: the process has not ended.
     bool has_begun() const { return worker_ != nullptr; }
-    /// Makes the process part of the machine instead of the program. A run does not wait for the process's end.
+    /// Makes the process a part of the machine, such as a router's process. The run can end before such a process ends.
     void serve_machine();
     bool serves_machine() const { return machine_; }
-    /// Makes the process record its actions in the history, or repeat the actions that the history holds. REQUIRES: the
-    /// process has not begun; the history outlives the run.
+    /// Makes the process record its actions in a log, its history, or repeat a recorded history without the machine
+    /// (runtime/replay_log.hpp). REQUIRES: the process has not begun; the history outlives the run.
     void keep(ReplayLog&);
-    /// Returns the process's history. Null if it keeps no history, and while it is unwound.
+    /// Returns the process's history. Null if the process keeps none, and while the process is unwound after the run.
     ReplayLog* history() const { return history_; }
 
     // The next functions are for reports.
     Activity activity() const { return activity_; }
-    /// Returns the channels on which the process waits. If it does not wait, returns the channel of its last wait;
-    /// empty if it waited for several channels.
+    /// Returns the channels on which the process waits. If the process does not wait, returns the channel of its last
+    /// wait, or nothing if the last wait was for several channels.
     std::span<const AnyChannel* const> awaited_channels() const {
         return awaited_channel_ ? std::span(&awaited_channel_, 1) : alternatives_;
     }
     /// Returns whether the process's last wait has a time limit.
     bool awaits_timer() const { return awaits_timer_; }
-    /// States whether a time limit or another process may end the process's next waits if the partner does not come.
+    /// Sets whether the process's next waits may end without the partner, by a time limit or by another process.
     void may_give_up(bool may) { may_give_up_ = may; }
     /// Returns the place in its program at which the process last waited.
     const SourceLocation& place_in_program() const { return where_; }
-    /// Returns the total time in which the process and all components of its PARs were waiting, all at once, for
-    /// partners or delays. A wait lasts until the process runs again; a wait that still lasts counts up to now.
-    /// REQUIRES: a process at the outermost level.
+    /// Returns the total time during which the process and all components of its PARs waited at the same time. A wait
+    /// ends when the process runs again; a wait that has not ended counts up to now. REQUIRES: a process at the
+    /// outermost level.
     Time time_waited() const;
-    /// Returns the time since which the process and all its components have waited; nothing if they do not all wait.
+    /// Returns since when the process and all its components have waited; nothing if one of them does not wait.
     /// REQUIRES: a process at the outermost level.
     std::optional<Time> waits_since() const;
 
-    /// Wait until the process is made ready. Record the reason and the place for reports. REQUIRES: this process is
-    /// running.
+    /// Wait until the process is made ready. The activity, the channels and the place appear in reports. REQUIRES: this
+    /// process is running.
     void wait_for(Activity, const AnyChannel*, const SourceLocation&);
     void wait_for(Activity, std::span<const AnyChannel* const>, const SourceLocation&, bool awaits_timer = false);
     /// Computes on the executive. Throws the exceptions of Executive::begin_computing, and Unwinding when the
@@ -166,14 +169,14 @@ public:
     /// Computes for the given cycles if the process is placed, then begins the communication, and waits until the
     /// communication is over. Throws the exceptions of compute(). REQUIRES: this process is running.
     void compute_and_communicate(Communication&, Cycles);
-    /// Begins a wait in a communication: from now on the process waits until it is made ready. Records the reason and
-    /// the place for reports.
+    /// Notes that the process waits from now on, until it is made ready. Only for Communication::begin. The activity,
+    /// the channel and the place appear in reports.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
-    /// Waits for the components of the process's PAR. With an executive, the process runs the last component itself,
-    /// which must not have been made ready.
+    /// Waits for the components of the process's PAR. If the process has an executive, the last component takes the
+    /// process's place on the executive. REQUIRES: with an executive, the last component has not been made ready.
     void wait_for_components(Process& last, const SourceLocation&);
-    /// Records a delay that needed no wait, because the kernel could pass the time (Kernel::pass_time). REQUIRES: this
-    /// process is running.
+    /// Records a delay that needed no wait, because nothing else could happen in the meantime (Kernel::pass_time).
+    /// REQUIRES: this process is running.
     void was_delayed(Time since, const SourceLocation&);
 
 private:
@@ -190,8 +193,7 @@ private:
     void goes_on();
     void stands_still();
 
-    // The members are in the order of use, in few cache lines. The first members are needed for each turn and each
-    // wait.
+    // The first members are needed for each turn and each wait, so they share few cache lines.
     Kernel& kernel_;
     Worker* worker_ = nullptr;              ///< fiber that runs the body; null before the first turn
     const std::byte* stack_ends_ = nullptr; ///< end of the used part of the stack; null if not recorded
@@ -203,13 +205,13 @@ private:
     bool awaits_timer_ = false;
     bool may_give_up_ = false;
     bool machine_ = false;                        ///< the process serves the machine
-    bool communicates_ = false;                   ///< the process waits in a communication that has begun
+    bool communicates_ = false;                   ///< the process waits in a Communication that has begun
     Communication* communication_ = nullptr;      ///< communication to begin at the next turn; null: the program
                                                   ///< continues
     const AnyChannel* awaited_channel_ = nullptr; ///< channel of the last wait, if it was a wait for a single channel
     SourceLocation where_;                        ///< place of the last wait in the program
     Process* outermost_ = this;                   ///< see outermost()
-    // A process at the outermost level counts these for itself and its components.
+    // The next members of a process at the outermost level count for the process and its components together.
     std::size_t going_on_ = 1; ///< number of processes that neither wait nor have ended
     Time still_since_{};       ///< time at which the last of them began to wait or ended
     Time waited_{};
@@ -227,7 +229,8 @@ private:
     unsigned times_unwound_ = 0;
 };
 
-/// A first in, first out queue. It is linked through the processes themselves, so a process is in at most one queue.
+/// A queue of processes, first in, first out. The processes themselves hold the links of the list, so a process is in
+/// at most one queue.
 class ProcessQueue {
 public:
     bool empty() const { return !first_; }
@@ -254,9 +257,10 @@ private:
     Process* last_ = nullptr;
 };
 
-/// Distributes the turns of a thread of a native run. A process that was woken by an event, or by a message of another
-/// thread, runs before other ready processes, because another thread may be waiting for it. After `most_in_a_row` such
-/// turns, one of the other processes has a turn. So neither group keeps the other waiting for ever.
+/// Decides which process has the next turn on a thread of a native run, that is, a run in real time on several threads.
+/// A process woken by an event or by a message of another thread runs before other ready processes, because another
+/// thread may be waiting for it. After `most_in_a_row` such turns, another process has a turn, so that woken processes
+/// do not block the others for ever.
 class TurnsOfWoken {
 public:
     static constexpr unsigned most_in_a_row = 8;

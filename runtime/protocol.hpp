@@ -13,8 +13,9 @@
 
 namespace placedpar {
 
-/// The lengths in bytes of the parts in which a message travels on a wire. Each part is a communication of its own. A
-/// value of fixed size is one part. occam's counted array `INT::[]BYTE` has two parts, the count and the bytes.
+/// The lengths in bytes of the parts in which a message travels over a link. A transputer sends each part by its own
+/// output instruction. A value of fixed size is one part. occam's counted array `INT::[]BYTE` has two parts, the count
+/// and the bytes.
 class WireForm {
 public:
     static constexpr std::size_t most_parts = 4;
@@ -24,8 +25,8 @@ public:
     requires(sizeof...(Bytes) >= 1 && sizeof...(Bytes) <= most_parts) constexpr WireForm(Bytes... bytes)
         : bytes_{length(bytes)...}, parts_(sizeof...(Bytes)) {}
 
-    /// Returns the form preceded by a tag, which is a byte and a communication of its own. Throws std::length_error if
-    /// the result exceeds most_parts.
+    /// Returns the form with a tag, a part of one byte, before the other parts. Throws std::length_error if the result
+    /// exceeds most_parts.
     constexpr WireForm behind_tag() const {
         if (parts_ == most_parts)
             throw std::length_error("a variant of a message can have at most 3 parts after its tag");
@@ -61,8 +62,8 @@ template <class T>
 inline constexpr bool has_wire_form = requires(const T& message) {
     { message.wire_form() } -> std::same_as<WireForm>;
 };
-/// True if the bytes of a value are the whole value. Addresses are excluded, because they mean nothing to another
-/// process.
+/// True if a copy of the bytes is a copy of the value. Types with addresses are excluded, because an address means
+/// nothing to another process.
 template <class T>
 inline constexpr bool is_plain =
     std::is_trivially_copyable_v<T> && !std::is_pointer_v<T> && !std::is_member_pointer_v<T> &&
@@ -78,14 +79,13 @@ inline constexpr bool is_message<std::variant<Variants...>> = (is_message<Varian
 
 /// The types that a channel can carry: values of a fixed size, counted arrays of them, variants, and types with a
 /// wire_form(). Processes share no memory, so pointers, references, spans and views are excluded. Types of variable
-/// size without a wire_form(), such as std::string, are excluded, too. Messages must be movable without throwing.
-/// Events often move messages, and an exception thrown in an event would belong to no process.
+/// size without a wire_form(), such as std::string, are excluded, too. Moving a message must not throw, because events
+/// move messages, and an exception in an event would belong to no process.
 template <class T>
 concept Protocol = std::is_object_v<T> && std::same_as<T, std::remove_cv_t<T>> && !std::is_array_v<T> &&
                    std::is_nothrow_move_constructible_v<T> && detail::is_message<T>;
 
-/// Returns the form of a message on a wire. The protocol of a channel is the C++ type of its messages, and this type
-/// determines the form. For a type of fixed size nothing must be declared; other types have a member `WireForm
+/// Returns the form of a message on a wire. A type of fixed size is one part. Other types have a member `WireForm
 /// wire_form() const`.
 template <class T>
 WireForm wire_form(const T& message) {

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the FNV-1a hash of 64 bits, which is published and stable. std::hash may differ between libraries.
+/// Returns the FNV-1a hash of 64 bits. std::hash will not do, because it differs between libraries.
 std::uint64_t path_hash(std::string_view path) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (char c : path)
@@ -29,9 +29,9 @@ void count_on(r123::Philox4x32::ctr_type& counter, std::uint32_t blocks) {
 }
 
 #ifdef __x86_64__
-/// Computes Philox 4x32-10 for 2 * width consecutive blocks. A register has `width` lanes of 64 bits. Each lane holds
-/// one word of 32 bits of one block, and its upper half is not used. Two registers hold the same word of all blocks, so
-/// that the processor can work on one of them while it waits for the product of the other.
+/// Computes Philox 4x32-10 for 2 * width consecutive blocks of four numbers. A register has `width` lanes of 64 bits.
+/// Each lane holds one word of 32 bits of one block in its lower half. The same word of all blocks takes two registers.
+/// So the processor can work on one register while it waits for the product of the other.
 template <std::size_t width>
 class Blocks {
 public:
@@ -96,8 +96,8 @@ private:
                                             Register& product) requires(width == 4) {
         product = reinterpret_cast<Register>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), _mm256_set1_epi64x(b)));
     }
-    // This function calls the intrinsic with a mask, because GCC 12 gives a wrong warning for the intrinsic without a
-    // mask (bug 105593).
+    // The intrinsic with a mask is used, because GCC 12 gives a wrong warning for the intrinsic without a mask (bug
+    // 105593).
     [[PLACEDPAR_AVX512]] static void multiply(const Register& a, std::uint32_t b,
                                               Register& product) requires(width == 8) {
         product = reinterpret_cast<Register>(
@@ -139,7 +139,7 @@ void compute_blocks(r123::Philox4x32::ctr_type& counter, const r123::Philox4x32:
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view path)
     : key_{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}}, numbers_{} {
-    // The upper half of the counter names the stream, the lower half counts its blocks.
+    // The upper half of the counter identifies the stream; the lower half counts the blocks of the stream.
     std::uint64_t stream = path_hash(path);
     counter_ = {{0, 0, static_cast<std::uint32_t>(stream), static_cast<std::uint32_t>(stream >> 32)}};
 }

@@ -16,9 +16,9 @@
 
 namespace placedpar {
 
-/// A stream of random numbers. It depends only on the run's seed and the path of the process. So it is the same in
-/// every placement, for every order of events and any number of processors. The generator is counter-based: Philox
-/// 4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", 2011). Satisfies
+/// A stream of random numbers for one process. The numbers depend only on the run's seed and on the process's path,
+/// that is, its full name. So a process draws the same numbers wherever it is placed. The generator is counter-based:
+/// Philox 4x32-10 (J. Salmon et al., "Parallel random numbers: as easy as 1, 2, 3", 2011). The class satisfies
 /// std::uniform_random_bit_generator.
 class RandomStream {
 public:
@@ -51,13 +51,14 @@ public:
             reject(product, n);
         return static_cast<std::uint32_t>(product >> 32);
     }
-    /// Returns a number from the standard normal distribution, by Box and Muller's cosine. Draws two numbers.
+    /// Returns a number from the standard normal distribution: the cosine value of Box and Muller's method. Draws two
+    /// numbers of the stream.
     double normal();
     /// Returns true with the given probability.
     bool chance(double probability) { return uniform() < probability; }
 
 private:
-    /// How many numbers are computed ahead: 16 blocks of 4, which fill even the widest registers.
+    /// How many numbers are computed at once: 16 blocks of 4, enough to fill the widest registers of a processor.
     static constexpr std::size_t ahead = 64;
     using Numbers = std::array<result_type, ahead>;
 

@@ -10,7 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// Begins an operation that cannot be replayed, because it depends on whether a message comes in time.
+/// Begins an operation that a process cannot repeat from its history, because it depends on whether a message comes in
+/// time.
 Process& begin_attempt(Kernel& kernel) {
     Process& self = kernel.running();
     if (ReplayLog* history = kernel.begin_operation(self))

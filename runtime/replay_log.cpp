@@ -4,7 +4,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the identity of an object that `maker` makes. `number` counts the objects of one maker.
+/// Returns an identity for the object with this number that the process `maker` makes, the same in each run.
 std::uint64_t name_of(std::uint64_t maker, std::uint64_t number) {
     Fingerprint both;
     both.mix(maker);

@@ -12,34 +12,35 @@
 
 namespace placedpar {
 
-/// Thrown through a process that departs from its history. If the process catches the exception, it is unwound at its
-/// next operation.
+/// Thrown through a process that acts differently from its history (ReplayLog). If the process catches the exception,
+/// the next operation of the process throws again.
 class ReplayDivergence {};
 
-/// The state that the histories of all processes of a run share.
+/// What the histories of all processes of a run have in common.
 struct ReplaySession {
-    /// The number of observations, of 16 bytes each, that the histories may still record. A run with more observations
-    /// cannot be repeated.
+    /// The number of observations, of 16 bytes each, that the histories may still record. A run that needs more cannot
+    /// be repeated.
     std::size_t room = 4'000'000;
     bool can_be_repeated = true;                 ///< false after an action that cannot be repeated
-    bool has_diverged = false;                   ///< a process that repeats its history has departed from it
+    bool has_diverged = false;                   ///< a process has acted differently from the history that it repeats
     std::function<void()> on_divergence = [] {}; ///< ends the run; may be called more than once
 };
 
-/// The history of a process in a run: its actions, and observations that no message carried. Such observations are the
-/// guards that its alternations chose, and the times that its clocks showed.
+/// The history of a process in a run: its actions, and what it observed apart from messages. Such observations are the
+/// guards that its ALTs chose, and the times that its clocks showed. With histories, a run can be repeated with other
+/// data, without the slow simulation of the machine.
 ///
-/// A process can repeat its history with messages of other contents, and without a machine. Its alternations choose the
-/// same guards, and its clocks show the same times, as in the original run. If every process does exactly what its
-/// history says, a run on the machine with these messages would have the events of the original run. The machine and
-/// the kernel know nothing else of a program, so by induction over the events each process would see what it saw in the
-/// original run. If a process acts differently, the run has departed from its history. (T. LeBlanc and J.
-/// Mellor-Crummey, Debugging parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987. The
-/// order of processes does not change the order of messages on a channel: G. Kahn, The semantics of a simple language
-/// for parallel programming, 1974.)
+/// A process repeats its history with messages of other contents. Its ALTs choose the same guards, and its clocks show
+/// the same times, as in the original run. Suppose that every process does exactly what its history says. Then the
+/// machine would also take the same times with the new messages, because the machine sees only the processes' actions.
+/// If a process acts differently, the repetition ends without a result. (T. LeBlanc and J. Mellor-Crummey, Debugging
+/// parallel programs with Instant Replay, IEEE Transactions on Computers C-36(4), 1987. The order in which processes
+/// run does not change the order of messages on a channel: G. Kahn, The semantics of a simple language for parallel
+/// programming, 1974.)
 ///
 /// REQUIRES of the program: the actions and outputs of a process depend only on the messages that it inputs and on the
-/// observations recorded here. Two processes, even components of one PAR, share no data that one of them changes.
+/// observations recorded here. No process changes data that another process uses, even if both are components of one
+/// PAR.
 class ReplayLog {
 public:
     enum class Action : std::uint64_t {
@@ -69,15 +70,17 @@ public:
     ReplayLog(const ReplayLog&) = delete;
     ReplayLog& operator=(const ReplayLog&) = delete;
 
-    /// Returns whether the process repeats a history. Its computations and delays then take no time.
+    /// Returns whether the process repeats a history instead of recording one. Its computations and delays then take no
+    /// time.
     bool repeats() const { return original_ != nullptr; }
 
     // The next functions are called for the process's actions, in order.
 
-    /// Records an action. `what` is a number below 2^56, or a hash; 56 bits of a hash are enough. `how` has details, in
-    /// the same number of words for all actions of a kind. Throws ReplayDivergence if the process acts more often than
-    /// its original, or if any process has departed from its history. If the process performs another action than its
-    /// original, this is detected at the next observation (observe()) or at the end of the process.
+    /// Records an action. `what` identifies its object, such as the channel: a number below 2^56, or a hash, of which
+    /// 56 bits are used. `how` has further details, in the same number of words for all actions of a kind. Throws
+    /// ReplayDivergence if the process performs more actions than in the original run, or if any process has acted
+    /// differently from its history. A different action is detected at the next call of observe() or at the end of the
+    /// process.
     void record(Action action, std::uint64_t what, std::initializer_list<std::uint64_t> how = {}) {
         if (is_silent_)
             return;
@@ -87,14 +90,13 @@ public:
         for (std::uint64_t word : how)
             fingerprint_.mix(word);
     }
-    /// Records an action that destructors may perform. If the process departs from its history, this is recorded, but
-    /// no exception is thrown.
+    /// Records an action without throwing, for actions that destructors may perform. If the action differs from the
+    /// history, the session notes this.
     void record_quietly(Action, std::uint64_t what);
-    /// Returns an observation that messages do not carry: the result of `look`, or, when repeating, the value that the
-    /// original saw. Actions of the process during `look` are not recorded separately. Throws ReplayDivergence if the
-    /// original did not make this observation at this point, or if any process has departed from its history. In these
-    /// cases a reading of the clock returns 0 instead of throwing, because destructors may read the clock. Only after
-    /// 100,000 such readings does it throw.
+    /// Makes an observation: returns the result of `look`, or, when repeating, the recorded result. Actions of the
+    /// process during `look` are not recorded separately. Throws ReplayDivergence if the original process did not make
+    /// this observation at this point, or if any process has acted differently from its history. However, the first
+    /// 100,000 readings of the clock then return 0 and do not throw, because destructors may read the clock.
     template <std::invocable Look>
     std::int64_t observe(Action what, Look look) {
         if (is_silent_)
@@ -107,15 +109,16 @@ public:
         note_observation(what, seen);
         return seen;
     }
-    /// Records an operation that cannot be repeated, or that the machine would refuse.
+    /// Records that the run cannot be repeated, because of an operation such as one that the machine would refuse.
     void record_unrepeatable();
-    /// Returns the history of the next component of a PAR. The component begins now.
+    /// Returns the history of the next component of the process's PAR, which begins now.
     ReplayLog& component();
-    /// Records that all components that had begun have ended. Their histories are not used any more.
+    /// Records that all components of the PAR have ended. From now on their histories are not used.
     void components_have_ended();
-    /// Returns the name of the next channel that the process makes.
+    /// Returns the number that identifies the next channel that the process makes, the same in each run.
     std::uint64_t next_channel();
-    /// Records that the process has ended. Throws ReplayDivergence if it has departed from its original.
+    /// Records that the process has ended. Throws ReplayDivergence if its actions differ from the history that it
+    /// repeats.
     void end();
 
 private:

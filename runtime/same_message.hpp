@@ -11,9 +11,9 @@
 
 namespace placedpar {
 
-/// Determines whether two messages of a protocol are the same. It is for a carrier that sends one message to several
-/// channels at once. The answer is unknown if the type has no == and its bytes do not determine its value. An == of a
-/// base class counts as the type's own.
+/// Determines whether two messages of a type are equal. A device that broadcasts uses this to check that a program
+/// outputs the same message on all channels. The answer is unknown if the type has no ==, and equal values may differ
+/// in their bytes. An == of a base class counts as the type's own.
 template <class T>
 struct SameMessage {
     static constexpr bool by_equality = requires(const T& a, const T& b) {
@@ -32,7 +32,8 @@ struct SameMessage {
     }
 };
 
-// The standard's containers have an == for every element type, but it does not compile if the elements have no ==.
+// Standard containers have their own cases. They declare an == for every element type, but this == does not compile if
+// the elements have none.
 
 template <class T>
 struct SameMessage<std::vector<T>> {
@@ -62,7 +63,7 @@ struct SameMessage<std::array<T, n>> {
     }
 };
 
-/// Two variants that hold the same empty alternative are the same.
+/// Two variants that hold the same empty alternative are equal, even if this alternative has no ==.
 template <class... Variants>
 struct SameMessage<std::variant<Variants...>> {
     template <class T>

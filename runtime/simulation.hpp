@@ -18,22 +18,23 @@
 
 namespace placedpar {
 
-/// How a run ended, and the time of the end of its work (see wait_until_work_is_over).
+/// What a run returns. The run's work lasts until nothing more can happen. Processes that have called
+/// wait_until_work_is_over() continue after the work, for example to test the final state.
 struct RunResult {
     Ending ending = Ending::completed;
     Time time{};                   ///< virtual time at the end of the work
-    std::uint64_t fingerprint = 0; ///< fingerprint of the whole run
-    std::uint64_t events = 0;      ///< number of events of the machine; they cost host time, as the processes do
-    /// The deadlock of a run that ended stuck, with all processes that are left. If the run was stopped before its end,
-    /// the deadlock has only processes that would never have continued.
+    std::uint64_t fingerprint = 0; ///< hash of the run's communications, with their times: equal for equal runs
+    std::uint64_t events = 0;      ///< number of the machine's events; a measure of the effort of the simulation
+    /// If the run ended stuck: the report of all processes that are left. If the run was stopped early: the report of
+    /// those processes that would never have continued, if any.
     std::optional<Deadlock> deadlock;
-    /// Processes that never had a turn, because other processes occupied their processor or the processor was halted.
-    /// They are in the order of creation.
+    /// Names of the processes that never had a turn, in the order of their creation. Other processes occupied their
+    /// processor, or a fault had halted the processor.
     std::vector<std::string> never_ran;
 };
 
-/// Processes and the devices on which they run. A simulation runs once. A program that uses PlacedPar as a library
-/// begins here.
+/// Holds processes and the devices on which they run, and runs them once in virtual time. A program that uses PlacedPar
+/// as a library begins with this class.
 ///
 ///     Simulation simulation;
 ///     auto& t800 = simulation.add<hardware::Processor>("t800");
@@ -43,8 +44,8 @@ struct RunResult {
 ///     RunResult result = simulation.run();
 ///
 /// 1. Devices, channels and processes are made before run(); run() is called once.
-/// 2. A device may refer to devices that were added before it. When the simulation is destroyed, it destroys the
-/// processes first, then the devices, the last device first.
+/// 2. A device may refer only to devices that were added before it, because the simulation destroys the devices in
+/// reverse order. It destroys the processes before the devices.
 /// 3. Channels, and all other objects to which the processes refer, must outlive run().
 /// 4. All calls are made on one thread; only interrupt() may be called from another thread.
 class Simulation {
@@ -54,35 +55,36 @@ public:
     Simulation& operator=(const Simulation&) = delete;
     ~Simulation();
 
-    /// Makes a device, Device(kernel, arguments...), and owns it. A device is any class that works on a kernel: an
-    /// executive, a link, a router, or a class of the caller.
+    /// Makes a device by Device(kernel, arguments...), and owns it. A device is any class that works on a kernel, such
+    /// as a processor, a link, a router, or a class of the caller.
     template <class Device, class... Arguments>
     requires std::constructible_from<Device, Kernel&, Arguments...> Device& add(Arguments&&... arguments) {
         auto device = std::make_shared<Device>(kernel_, std::forward<Arguments>(arguments)...);
         devices_.push_back(device);
         return *device;
     }
-    /// Adds a process that starts at the beginning of the run. Without an executive its program takes no time.
+    /// Adds a process that starts at the beginning of the run. `on` is its executive: the processor or other device
+    /// that executes the process. Without an executive the process's computations take no time.
     Process& process(std::string name, Process::Body, Executive* on = nullptr, Priority = Priority::low);
-    /// Adds a process and declares the channel ends that it will use, as a netlist does: `simulation.process("ping",
-    /// {there.out(), back.in()}, ...)`. Without this declaration, the report of a deadlock before the first
-    /// communication cannot name the partners. Throws std::logic_error if another process already owns one of the ends.
+    /// Adds a process and declares the channel ends that it will use: `simulation.process("ping", {there.out(),
+    /// back.in()}, ...)`. The declaration lets a deadlock report name the partners even before their first
+    /// communication. Throws std::logic_error if another process already owns one of the ends.
     Process& process(std::string name, const std::vector<DeclaredEnd>&, Process::Body, Executive* on = nullptr,
                      Priority = Priority::low);
     /// Returns the processes in the order of their creation.
     const std::list<Process>& processes() const { return processes_; }
 
-    /// Selects another possible execution of the program: see Kernel::shuffle.
+    /// Runs ready processes in a random order, to test whether the program depends on the order: see Kernel::shuffle.
     void shuffle(std::uint64_t seed) { kernel_.shuffle(seed); }
-    /// Makes run() native: see Kernel::run_among.
+    /// Makes run() native: processes run in real time, in several threads or programs. See Kernel::run_among.
     void run_among(Surroundings& surroundings, std::uint32_t number) { kernel_.run_among(surroundings, number); }
     /// REQUIRES: the sink outlives run().
     void trace_to(TraceSink& sink) { kernel_.trace_to(sink); }
 
     /// Runs until every process has ended, no process can continue, or the limit is reached. Calls `work_over` at the
-    /// end of the work, for measurements of the work alone. Rethrows what a process threw. Throws std::overflow_error
-    /// if the next event is beyond the end of virtual time. Throws std::logic_error if another simulation is running on
-    /// this thread, or if this simulation has run before.
+    /// end of the work, so that the caller can measure the work alone. Rethrows what a process threw. Throws
+    /// std::overflow_error if the next event is beyond the end of virtual time. Throws std::logic_error if another
+    /// simulation is running on this thread, or if this simulation has run before.
     RunResult run(
         Time limit = Time::max(), const std::function<void()>& work_over = [] {});
     /// Returns the failure of the process whose exception run() rethrew.
@@ -93,7 +95,8 @@ public:
 
 private:
     Kernel kernel_;
-    std::vector<std::shared_ptr<void>> devices_; ///< shared_ptr<void> destroys each device as an object of its class
+    std::vector<std::shared_ptr<void>> devices_; ///< a shared_ptr<void> destroys the device as an object of its own
+                                                 ///< class
     std::list<Process> processes_;
 };
 

@@ -6,14 +6,13 @@
 
 namespace placedpar {
 
-/// A place in the program. Reports use it to name the statement at which a process waits. std::source_location was
-/// rejected, because Clang before version 15 cannot compile it. A program may be compiled by Clang even if the
-/// libraries that it links were compiled by GCC.
+/// A place in the program. Reports use it to name the statement at which a process waits. std::source_location cannot
+/// be used, because Clang before version 15 cannot compile it.
 struct SourceLocation {
     const char* file = "";  ///< as passed to the compiler
     std::uint32_t line = 0; ///< 0 if no place is known
 
-    /// Returns the place of the call. As a default argument of a function, returns the place where this function is
+    /// Returns the place of the call. As a function's default argument, returns the place where that function is
     /// called.
     static constexpr SourceLocation current(const char* file = __builtin_FILE(),
                                             std::uint32_t line = __builtin_LINE()) {

@@ -25,8 +25,8 @@ void write_error(std::string_view text) noexcept {
     }
 }
 
-/// Reports the fault if a process has overflowed its stack. After the handler has returned, the fault happens again,
-/// and goes to the handler that was installed before this one.
+/// Reports the fault if a process has overflowed its stack, and restores the previous handler. After the return the
+/// fault happens again, and goes to that handler.
 void on_fault(int, siginfo_t* fault, void*) {
     if (auto user = who_overflowed ? who_overflowed(fault->si_addr) : std::nullopt)
         report_stack_overflow(*user);

@@ -1,8 +1,8 @@
 #include "runtime/switched_stack.hpp"
 
-// These functions, except the last, are declared in <sanitizer/common_interface_defs.h> and
-// <sanitizer/tsan_interface.h>. Compiled code calls the last function to tell ThreadSanitizer about a function call.
-// Here all of them are weak, so they are null in a program without the sanitizer.
+// These are functions of the sanitizers. All are weak here, so they are null in a program without a sanitizer. The last
+// function tells ThreadSanitizer about a function call, and is called by compiled code. The others are declared in
+// <sanitizer/common_interface_defs.h> and <sanitizer/tsan_interface.h>.
 extern "C" {
 [[gnu::weak]] void __sanitizer_start_switch_fiber(void** fake_stack, const void* bottom, std::size_t bytes);
 [[gnu::weak]] void __sanitizer_finish_switch_fiber(void* fake_stack, const void** bottom_left, std::size_t* bytes_left);

@@ -4,17 +4,17 @@
 
 namespace placedpar {
 
-/// Reports every switch from one fiber's stack to another to AddressSanitizer or ThreadSanitizer. Without these
-/// reports, AddressSanitizer would report an exception as a jump out of the stack, and ThreadSanitizer would mix up the
-/// calls of different fibers. The class tests at run time whether a sanitizer is present: a program compiled with the
-/// sanitizer may link libraries compiled without it. Without a sanitizer, the class does nothing.
+/// Tells AddressSanitizer or ThreadSanitizer about every switch from one fiber's stack to another. Otherwise
+/// AddressSanitizer would take an exception for a jump out of the stack, and ThreadSanitizer would mix up the calls of
+/// different fibers. The class finds out at run time whether a sanitizer is present, because a program with a sanitizer
+/// may link this library compiled without it. Without a sanitizer, the class does nothing.
 ///
 /// 1. Call lies_at() once the stack's memory is known, and gone() when the stack is not used any more.
 /// 2. To switch, call leave_for(the other stack), then switch.
 /// 3. On arrival, call arrive(); the first time, call arrive_from(the stack that was left).
 class SwitchedStack {
 public:
-    /// Returns whether this program has one of these sanitizers.
+    /// Returns whether this program runs with one of these sanitizers.
     static bool is_watched();
     void leave_for(SwitchedStack& to);
     void arrive();

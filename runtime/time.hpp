@@ -6,12 +6,12 @@
 
 namespace placedpar {
 
-/// Virtual time since the start of the simulation, in whole picoseconds. In this unit the cycles of 20 and 25 MHz
-/// clocks, and the bits of 5, 10 and 20 Mbit/s links, are exact. Virtual time lasts for 106 days. A later time is
-/// represented by Time::max(), which never comes: a run ends with an error if it has no earlier event left.
+/// Virtual time since the start of the simulation, in whole picoseconds. The cycles of 20 and 25 MHz clocks, and the
+/// bits of 5, 10 and 20 Mbit/s links, are whole numbers of picoseconds. Virtual time ends after 106 days. Time::max()
+/// stands for any later time, and is never reached: if only such events are left, the run ends with an error.
 using Time = std::chrono::duration<std::int64_t, std::pico>;
 
-/// Cycles of an executive's clock. This is a type of its own, so that cycles and times cannot be confused.
+/// Cycles of a processor's clock. The type is distinct, so that the compiler does not mix up cycles and times.
 enum class Cycles : std::int64_t {};
 
 constexpr Cycles operator+(Cycles a, Cycles b) {
@@ -19,10 +19,10 @@ constexpr Cycles operator+(Cycles a, Cycles b) {
 }
 constexpr Cycles operator*(std::int64_t n, Cycles c) { return Cycles{n * static_cast<std::int64_t>(c)}; }
 
-/// An integer of 128 bits. It is needed because `periods * 1e12` exceeds 64 bits above 9.2 million periods.
+/// An integer of 128 bits. duration_of() needs so many bits above 9.2 million periods.
 __extension__ typedef __int128 WideInteger;
 
-/// Converts a number of picoseconds to a time, at most Time::max(). REQUIRES: count >= 0.
+/// Converts a number of picoseconds to a time. A number that is too large becomes Time::max(). REQUIRES: count >= 0.
 constexpr Time clamped(WideInteger count) {
     return count > Time::max().count() ? Time::max() : Time{static_cast<std::int64_t>(count)};
 }
@@ -40,7 +40,8 @@ constexpr Time times(std::int64_t n, Time each) { return clamped(WideInteger{n} 
 /// Returns `t + by`, at most Time::max(). REQUIRES: t >= 0.
 constexpr Time later(Time t, Time by) { return by > Time::max() - t ? Time::max() : t + by; }
 
-/// Computes duration_of() for one frequency, without a division of 128 bits.
+/// Converts cycles of a clock to time. Gives the results of duration_of(), but in most cases without the slow division
+/// of 128 bits.
 class Clock {
 public:
     /// REQUIRES: hertz > 0.

@@ -16,14 +16,16 @@ struct Alarm final : Event {
     Process& process;
 };
 
-/// Returns the value of look() or, while the process replays a history, the value that was recorded.
+/// Returns the value of look(), or the recorded value if the process repeats a history (a log of its actions:
+/// runtime/replay_log.hpp).
 template <class Look>
 std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     ReplayLog* history = self.history();
     return history ? history->observe(what, look) : look();
 }
 
-// The next functions are not inlined, so that the stack frames of the many processes without a history stay small.
+// The next functions serve the few processes that keep a history. They are not inlined, so that the stack frames of
+// other processes stay small.
 
 [[gnu::noinline]] Time now_as_seen(Kernel& kernel) {
     return Time{seen_by(kernel.running(), ReplayLog::Action::now, [&] {
@@ -33,7 +35,7 @@ std::int64_t seen_by(const Process& self, ReplayLog::Action what, Look look) {
     })};
 }
 
-/// Records a delay. Returns whether the process only replays a history.
+/// Records a delay in the history. Returns whether the process only repeats the history, in which delays take no time.
 [[gnu::noinline]] bool only_repeats(ReplayLog& history, Time due) {
     history.record(ReplayLog::Action::delay, 0, {static_cast<std::uint64_t>(due.count())});
     return history.repeats();

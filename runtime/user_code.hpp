@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// Returns the text of the current exception: what(), a thrown string, or a remark that the exception is neither. Call
-/// it in a handler around user-defined code. Rethrows Unwinding and ReplayDivergence, which end a process.
+/// Returns a text for the current exception: its what(), a thrown string, or a remark that the exception has no text.
+/// Call this function in a handler around code of the user. Rethrows the exceptions by which the simulation itself ends
+/// a process (Unwinding and ReplayDivergence).
 std::string what_was_thrown();
 
 } // namespace placedpar

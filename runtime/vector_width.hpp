@@ -6,12 +6,11 @@
 
 namespace placedpar {
 
-// One program serves every processor. Code that profits from wide registers is compiled for each width. At run time the
-// widest registers that the processor has are chosen. INVARIANT: all widths give the same bits. So the
-// compiler must not fuse a multiplication and an addition, which would save one rounding: compile with
-// `-ffp-contract=off`.
-// Rejected: Google Highway and similar libraries. Their functions can be called only from code marked for their target,
-// so a user's plain struct could not be evaluated in wide registers.
+// Code that profits from wide registers is compiled for each width of registers. At run time the program uses the
+// widest registers that the processor has. INVARIANT: all widths give the same bits. Therefore compile with
+// `-ffp-contract=off`: an instruction that multiplies and adds rounds only once. Google Highway and similar libraries
+// cannot be used. Their functions can be called only from code that is marked for a target. An objective function that
+// a user writes as a plain struct is not marked, so it could not use wide registers.
 
 /// The possible numbers of doubles in a register: 2 (SSE2, or another processor's own registers), 4 (AVX2), 8
 /// (AVX-512).
@@ -54,7 +53,8 @@ void use_vector_width(std::size_t width);
 #define PLACEDPAR_AVX512 gnu::noinline
 #endif
 
-/// Calls `work.operator()<width>()`. The call, with everything inlined into it, is compiled for the width in use.
+/// in_vectors(work) calls `work.operator()<width>()` for the width in use. The call, with everything inlined into it,
+/// is compiled for this width.
 template <class Work>
 [[gnu::flatten]] void in_vectors_of_2(const Work& work) {
     work.template operator()<2>();

@@ -7,14 +7,16 @@
 
 namespace placedpar {
 
-/// Follows waits from process to process, depth first, until the search returns to a process on its path.
-/// `Awaited` is called with a process, and returns the processes for which that process waits.
+/// Finds a cycle of processes of which each waits for the next, for the report of a deadlock. The search goes depth
+/// first from each process to those for which it waits. `Awaited` is a function that returns the processes for which a
+/// given process waits.
 template <class Process, class Awaited>
 class CycleSearch {
 public:
     explicit CycleSearch(Awaited awaited) : awaited_(std::move(awaited)) {}
 
-    /// Returns the first cycle that can be reached from the `stuck` processes, tried in turn; empty if there is none.
+    /// Returns the first cycle that the search finds, starting from each of the `stuck` processes in turn; empty if
+    /// there is none.
     std::vector<Process> find(const std::vector<Process>& stuck) {
         for (const Process& process : stuck)
             if (visit(process))
@@ -23,8 +25,8 @@ public:
     }
 
 private:
-    /// Returns whether a cycle can be reached from `start`. The search is not recursive: its path can contain all
-    /// processes, and the stack of a fiber is small.
+    /// Returns whether the search from `start` finds a cycle. The search is not recursive, because its path can contain
+    /// all processes, and the stack of a fiber is small.
     bool visit(const Process& start) {
         step_to(start);
         while (!way_.empty()) {

@@ -48,7 +48,8 @@ void MemoryLane::fill(std::int64_t bytes) {
         copy_in_memory(bytes);
 }
 
-/// Copies a part out of the buffer. A bus master also writes one word over the bus, which marks the buffer as read.
+/// Copies a part of a message out of the buffer. A bus master then also writes a word over the bus, to mark the buffer
+/// as empty.
 void MemoryLane::empty(std::int64_t bytes) {
     if (from_ == From::master)
         return copy_in_memory(bytes);

@@ -14,8 +14,8 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A memory with two ports, as on a transputer bus master. Its transputer uses one port; bus masters reach the memory
-/// over the bus (thesis, appendix D: the BBK-V2 has 2 Mbyte).
+/// A memory with two ports on a VMEbus board. The board's transputer uses one port. Bus masters, such as the host
+/// computer, reach the other port over the bus. The board BBK-V2 has 2 Mbyte of this memory (thesis, appendix D).
 class DualPortedMemory final : public BusSlave {
 public:
     DualPortedMemory(Kernel&, std::string name) : name_(std::move(name)) {}
@@ -25,10 +25,11 @@ private:
     std::string name_;
 };
 
-/// One direction between a bus master and the transputer of a dual-ported memory. Messages go through a buffer in the
-/// memory, one at a time. The master moves the words over the bus. The transputer copies them between the buffer and
-/// its process's memory. It swaps bytes if the two computers have different byte orders: a 68020 is big endian, and a
-/// T800 is little endian. When an end has filled or emptied the buffer, it interrupts the other end.
+/// Carries messages in one direction between a process on a bus master and a process on the transputer of a dual-ported
+/// memory. Messages go through a buffer in the memory, one at a time. The master moves the words over the bus. The
+/// transputer copies them between the buffer and its process's memory. The transputer also swaps bytes if the master's
+/// byte order differs: a 68020 is big endian, and a T800 is little endian. When an end has filled or emptied the
+/// buffer, it interrupts the other end.
 class MemoryLane final : public Carrier {
 public:
     /// The size of the buffer for one direction, in bytes (our choice). A longer message is moved in parts.
@@ -36,8 +37,8 @@ public:
 
     /// The end that outputs: the bus master, or the transputer that owns the memory.
     enum class From { master, memory };
-    /// `conversion`: cycles of the transputer for each word; 0 if both computers have the same byte order. REQUIRES:
-    /// master and memory outlive the lane, and execute the processes at their ends.
+    /// `conversion`: the transputer's cycles for swapping the bytes of a word; 0 if both computers have the same byte
+    /// order. REQUIRES: master and memory outlive the lane, and execute the processes at their ends.
     MemoryLane(Kernel&, VmeMaster&, DualPortedMemory&, From, Cycles conversion);
 
     std::string why_not_given_up() const override { return "leads through the memory of a bus master"; }

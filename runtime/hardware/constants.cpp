@@ -68,8 +68,8 @@ std::vector<Constant> of_processors() {
     };
 }
 
-/// Lists the members of OperationCosts. They are named one by one, so that the compiler reports a missing member. The
-/// additional time of a word outside the chip is listed among the processor's memory accesses.
+/// Returns the members of OperationCosts as constants. They are named one by one, so that the compiler reports a
+/// missing member. The additional time of a word outside the chip is not listed here, but with the memory accesses.
 std::vector<Constant> of_instructions() {
     constexpr std::string_view group = "instructions of a T8";
     const auto& [soft, soft_word, hard, word_outside, copied_word, bytes_in_a_word, start, run, end, read, wait,

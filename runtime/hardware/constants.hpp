@@ -7,26 +7,27 @@ namespace placedpar::hardware {
 
 /// The origin of a constant.
 enum class Provenance {
-    published,  ///< from a databook, or from a published measurement
-    workload,   ///< cost of the program itself, which the netlist states
-    calibrated, ///< set so that the model reproduces one measured figure
+    published,  ///< from a databook or a published measurement
+    workload,   ///< cost of the simulated program, which the netlist states
+    calibrated, ///< set so that the simulation reproduces one measured figure
     ours,       ///< our choice, because no source was found
     fitted      ///< fitted to several measured figures
 };
 
 const char* name_of(Provenance);
 
-/// A constant of the model with its origin.
+/// A constant of the simulated machine, with its origin. A command of the program prints these constants.
 struct Constant {
     std::string_view group, name;
     double value;
     std::string_view unit;
     Provenance mark;
-    std::string_view source; ///< the publication, the reason for our choice, or the measured figures of a fit
+    std::string_view source; ///< the publication, the reason for our choice, or the figures to which the constant was
+                             ///< fitted
 };
 
-/// Returns every timing constant that a netlist does not state. The simulation uses the same constants. The constants
-/// of a group are adjacent.
+/// Returns every timing constant that a netlist does not have to state, as the simulation uses it. The constants of a
+/// group are adjacent.
 std::vector<Constant> constants();
 
 } // namespace placedpar::hardware

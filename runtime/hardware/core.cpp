@@ -14,8 +14,8 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns the costs of operations. Operations that were not measured take one cycle if a program can repeat them while
-/// it polls, and no time otherwise.
+/// Returns the costs of operations. An operation that was not measured takes one cycle if a program can repeat it while
+/// polling, because time must then pass. Otherwise it takes no time.
 OperationCosts costs_of(const CoreCosts& core) {
     return {.soft_communication = core.communication,
             .soft_word_output = core.communication,
@@ -83,8 +83,8 @@ void ComputerCore::leave(Process&, Process* successor) {
         take_next();
 }
 
-/// Returns how long the core's thread still sleeps: until the end of its current pause (pause_after). `waited`: how
-/// long the core has had nothing to do so far.
+/// Returns how long the core's thread still sleeps, if it sleeps in pauses. `waited`: how long the core has had nothing
+/// to do so far.
 Time ComputerCore::rest_of_pause(Time waited) const {
     Time end = duration(core_.patience);
     while (end < waited)

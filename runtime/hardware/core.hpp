@@ -15,27 +15,30 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// The costs of a thread of a native run, in cycles of the core's clock. `placedpar calibrate` measures them.
+/// The costs of a thread of a native run, that is, a run of the processes in real time on the cores of a computer. They
+/// are in cycles of the core's clock. `placedpar calibrate` measures them.
 struct CoreCosts {
     std::int64_t clock_hz = usual_clock;
     Cycles communication{}; ///< an input or output between processes of the core
     Cycles crossing{};      ///< an input or output between processes of two cores
     Cycles switching{};     ///< a switch to the next process
-    Cycles patience{};      ///< time without work after which the thread sleeps
+    Cycles patience{};      ///< time for which the thread looks for work before it sleeps
     Cycles waking{};        ///< time to wake a sleeping thread
-    Cycles
-        oversleeping{}; ///< how much longer each pause (pause_after) lasts than requested; 0: messages wake the thread
+    Cycles oversleeping{};  ///< how much longer each pause lasts than requested, if the thread sleeps in pauses; 0: a
+                            ///< message wakes the thread
 
-    static constexpr std::int64_t usual_clock = 1'000'000'000; ///< a cycle is a nanosecond
+    static constexpr std::int64_t usual_clock = 1'000'000'000; ///< so that a cycle is a nanosecond
 };
 
-/// A core of a computer that runs one thread of a native run (native/group.hpp), by the rules of the threads:
+/// Simulates a core of a computer that runs one thread of a native run. Such a simulation predicts the time of a native
+/// run. The rules are those of the threads (native/group.hpp):
 ///
 /// 1. A process runs until it waits or ends. Then the process that has been ready longest runs, whatever its priority.
-/// Processes that another core has woken come first (TurnsOfWoken).
-/// 2. If the core has had nothing to do for longer than its patience, the thread sleeps, and takes time to wake.
-/// 3. A core with `oversleeping` is a rank of MPI, which no message can wake: it sleeps in pauses, and finds a message
-/// at the end of a pause.
+/// Processes that another core has woken run first, but at most 8 in a row (TurnsOfWoken).
+/// 2. If the core has had nothing to do for the time `patience`, the thread sleeps, and takes the time `waking` to
+/// wake.
+/// 3. A core with `oversleeping` > 0 is a rank of MPI, which no message can wake. Such a rank sleeps in pauses, and
+/// looks for messages after each pause.
 class ComputerCore final : public Executive {
 public:
     /// Throws std::logic_error unless the clock is positive and no cost is negative.
@@ -82,8 +85,8 @@ private:
     Turn turn_{*this};
 };
 
-/// One direction between two cores, for any number of channels. The outputter waits until the inputter has taken the
-/// message from the memory, as in a native run. The inputter pays for the bytes.
+/// Carries the messages of any number of channels from one core to another. As in a native run, the outputter waits
+/// until the inputter has taken the message from the memory. The inputter spends the time for its bytes.
 class CoreLane final : public Carrier {
 public:
     /// `to`: the core of the inputters. REQUIRES: bytes_per_second > 0.

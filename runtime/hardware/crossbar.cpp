@@ -116,7 +116,8 @@ std::string Crossbar::state_of(int output) const {
                        choice.ready ? "" : ", but had not received command 3");
 }
 
-/// Shows a change in the trace. Each output has a track, which names the input that feeds it.
+/// Shows a change of a connection in the trace. Each output has a row of the trace, which names the input to which it
+/// is connected.
 void Crossbar::trace_change(int output, const Choice& before) const {
     const Choice& choice = choices_[static_cast<std::size_t>(output)];
     std::string track = fmt::format("{}.link[{}]", name(), output);

@@ -19,9 +19,9 @@ namespace placedpar::hardware {
 
 class Link;
 
-/// A message of one to three bytes to the configuration link of a C004. The codes were written down from memory,
-/// because INMOS's data sheet was not available. INMOS's network checker (check.c of its `ispy`, published) sends
-/// [0][input][output] and [4], and uses the top bit of a C004B's answer in the same way. It does not send [3].
+/// A command of one to three bytes to the configuration link of a C004, INMOS's link switch. We had no data sheet, and
+/// wrote the codes down from memory. INMOS's network checker (check.c of its `ispy`, published) confirms
+/// [0][input][output], [4], and the top bit of the answer. It does not send [3].
 struct SwitchCommand {
     enum class Kind : std::uint8_t {
         connect_output = 0,    ///< [0][input][output]
@@ -45,18 +45,20 @@ struct SwitchAnswer {
     std::uint8_t byte = 0;
 };
 
-/// An IMS C004: a switch with 32 inputs and 32 outputs. Each output repeats the data of one input, or nothing. Commands
-/// change the connections during the run; at the start nothing is connected. Data is lost at an input that no output
-/// repeats. Our assumptions: data is also lost if the output is not wired to the other end of the link that carries the
-/// data. On a new connection, data is lost until the next command 3. A connection is not disturbed when it is made
-/// again, or while other connections are made.
+/// An IMS C004: a switch for links, with 32 inputs and 32 outputs. Each output repeats the data of one input, or
+/// nothing. Commands change the connections during the run; at the start nothing is connected. Data is lost at an input
+/// that no output repeats.
 ///
-/// The switch executes its own logic: a process that inputs commands from the configuration link and obeys them. This
-/// process takes no time beyond the time of the link.
+/// We assume the following. Data is also lost if the output that repeats it is not wired to the other end of the data's
+/// link. On a new connection, data is lost until the next command 3. To make a connection again, or to make other
+/// connections, does not disturb a connection.
+///
+/// The class is an executive, that is, it executes processes. A process on the switch inputs commands from the
+/// configuration link and obeys them. This process takes no time beyond the time of the link.
 class Crossbar final : public Executive {
 public:
     static constexpr int links = 32;
-    /// Delay of a bit in the switch, in hundredths of a bit time (C004 manual).
+    /// The delay of a bit in the switch, in hundredths of a bit period (C004 manual).
     static constexpr std::int64_t crossing_delay = 175;
 
     Crossbar(Kernel&, std::string name);
@@ -68,7 +70,7 @@ public:
     /// the switch does not have, and for an unknown kind of command.
     std::optional<SwitchAnswer> obey(const SwitchCommand&);
 
-    /// Returns whether data that arrives at the input leaves at the output.
+    /// Returns whether the output repeats the data of the input.
     bool leads(int input, int output) const;
 
     /// Leads a link through the switch. End a of the link is wired to the switch's link `at_a`, end b to `at_b`.
@@ -83,8 +85,8 @@ public:
         int output;        ///< output that should have repeated the first lost packet
         std::string state; ///< state of this output at that time, such as "was connected to no input"
     };
-    /// Returns the losses. There is one Loss for each direction of a link that lost data, in the order of lead_on(). Of
-    /// the two directions of a link, the direction from end a comes first.
+    /// Returns the losses: one Loss for each direction of a link that lost data. The links are in the order of
+    /// lead_on(); of a link's directions, the direction from end a comes first.
     std::deque<Loss> losses() const;
     std::uint64_t commands() const { return commands_; }
     /// Returns how many connections were made. A connection of two links counts twice, once for each output.

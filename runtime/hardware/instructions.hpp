@@ -2,14 +2,14 @@
 
 #include "runtime/executive.hpp"
 
-/// The costs of a T800's instructions in cycles, with code and data in internal memory. Published: instruction table of
-/// the T4 notebook (pahihu/t4), which was checked there against INMOS's "Transputer instruction set: a compiler
-/// writer's guide".
+/// The costs of a T800's instructions in cycles, with code and data in internal memory. The source is the instruction
+/// table of the T4 notebook (pahihu/t4), which was checked there against INMOS's "Transputer instruction set: a
+/// compiler writer's guide".
 namespace placedpar::hardware::instructions {
 
-/// The costs of a program's operations, compiled in line as occam compiles them. A communication of w words costs 2w +
-/// 19 cycles for the process that copies them and 19 cycles for the process that waits. An output of one word costs 23
-/// cycles for either process.
+/// The costs of occam's operations, which are compiled in line. On a soft channel, a communication of w words costs the
+/// process that arrives second 2w + 19 cycles, and the other process 19 cycles. An output of one word costs 23 cycles
+/// in both cases.
 constexpr OperationCosts t800{
     .soft_communication = Cycles{19},    // in, out
     .soft_word_output = Cycles{23},      // outword, outbyte
@@ -31,24 +31,24 @@ constexpr OperationCosts t800{
     .disable_guard = Cycles{8},          // disc, diss
     .disable_timeout = Cycles{23},       // dist
     .alternation_end = Cycles{4},        // altend
-    // Ours: an attempt starts a second process, which waits for the time-out or for a message, then ends the attempt
-    // and itself: startp, tin, endp.
+    // Our choice: a communication that may be given up starts a second process, which waits for the time-out or a
+    // message, and ends (startp, tin, endp).
     .attempt = Cycles{12 + 30 + 13},
-    .reset_channel = Cycles{3}, // ours: resetch
+    .reset_channel = Cycles{3}, // our choice: the instruction resetch
 };
 
-/// The cycles of a block move before its first word. Each word takes 2 cycles on the chip, or two accesses outside of
-/// the chip.
+/// The cycles of a block move (`move`) before its first word. Each word then takes 2 cycles on the chip, or two
+/// accesses to memory outside of the chip.
 constexpr Cycles block_move_start{8};
 
-/// The typical interrupt latency from low to high priority. At most it is 58 cycles, or 78 while the floating-point
-/// unit is busy.
+/// The typical time in which a high-priority process interrupts a low-priority process. The longest time is 58 cycles,
+/// or 78 cycles while the floating-point unit is busy.
 constexpr Cycles preemption{19};
 
-/// The cycles of a channel operation of the INMOS C toolset (ChanOut, ChanIn) beyond its instruction, for processors
-/// whose programs are written in C. Derived: half the round trip of a message of n words between two T805s took 11.0 +
-/// 2.250 n us (sarevok/pr, Poznan 2008). 11.0 us are 220 cycles at 20 MHz; the instruction takes 19 of them. The
-/// rescheduling of the receiver is included.
+/// The cycles that ChanOut or ChanIn of the INMOS C toolset takes beyond the instruction `out` or `in`. Use it for
+/// processors whose programs are written in C. It is derived from a measurement (sarevok/pr, Poznan 2008): half the
+/// round trip of a message of n words between two T805s took 11.0 + 2.250 n us. 11.0 us are 220 cycles at 20 MHz, and
+/// the instruction takes 19 of them. The figure includes the time until the receiver has the processor again.
 constexpr Cycles toolset_channel_call{201};
 
 } // namespace placedpar::hardware::instructions

@@ -55,8 +55,8 @@ LinkFaults& Link::faults() {
     return *faults_;
 }
 
-/// Returns the time until which no packet has to be checked for faults. While a fault changes the speed, every packet
-/// has to be checked, so this is the current time.
+/// Returns the time until which no packet need be checked for faults. While a fault changes the speed, returns the
+/// current time, because every packet must be checked.
 Time Link::steady_until() const {
     const bool is_at_speed = faults_->bits_per_second(kernel_.now()) == timing_.bits_per_second;
     return is_at_speed ? faults_->steady_until(kernel_.now()) : kernel_.now();
@@ -193,8 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        // If the arrival of the first byte woke an alternation, the arrival of the last byte may still be expected at
-        // this very time.
+        // If the arrival of the first byte has woken an ALT, the arrival of the last byte may still be expected at this
+        // very time.
         touch->drop_last_bytes(number_);
         deliver();
     } else {
@@ -307,8 +307,8 @@ void LinkDirection::trace_byte(const LinkState& state, const LinkState::Outcome&
         trace_standstill();
 }
 
-/// Shows the bytes of a part in the trace as one interval. A first byte that waits for its acknowledge gets an interval
-/// of its own.
+/// Begins an interval in the trace, in which the wire carries bytes without a break. A first byte that waits for its
+/// acknowledge gets an interval of its own.
 void LinkDirection::trace_bytes(Time since) {
     if (course_.trace_carries(number_))
         return;
@@ -322,7 +322,7 @@ void LinkDirection::trace_break(Time byte_started) {
     kernel_.trace()->leaves({name_, later(byte_started, times_.byte().carried), bytes}, kernel_.now());
 }
 
-/// Ends the interval in the trace, because the next byte follows only later, or never.
+/// Ends the interval in the trace, because no byte follows at once.
 void LinkDirection::trace_standstill() {
     if (kernel_.trace() && course_.trace_carries(number_))
         trace_break(state().packets.streams[number_].last_start);

@@ -17,9 +17,9 @@
 
 namespace placedpar::hardware {
 
-/// Receives a call before an end of a link changes the link's state by give(), take() or a reset. A transputer whose
-/// core has run ahead of virtual time (transputer/node.hpp) can then return to the present. The function must not wait
-/// or throw.
+/// A watcher is called before an end of a link changes the link's state by LinkDirection::give(), take() or a reset. An
+/// emulated transputer executes its code ahead of virtual time. After this call it returns to the present, so that its
+/// execution can take the change into account. The function must not wait or throw.
 class LinkEngineWatcher {
 public:
     virtual void link_will_change() = 0;
@@ -28,32 +28,33 @@ protected:
     ~LinkEngineWatcher() = default;
 };
 
-/// The memory of a processor, as the engines of its links use it. A part of a message takes one word for each
-/// `bytes_in_a_word` bytes; remaining bytes at its end take one more word.
+/// Counts the words that the engines of a processor's links move from or to its memory. (A link engine moves a message
+/// without the processor.) A processor that computes waits for these accesses. The bytes at the end of a message part
+/// that do not fill a word count as a word.
 struct LinkEngineMemory {
     std::uint32_t bytes_in_a_word = 4; ///< or 2
     std::uint64_t words_of_ended_parts = 0;
     int parts_under_way = 0;
-    LinkEngineWatcher* watcher = nullptr; ///< null if no call is needed
+    LinkEngineWatcher* watcher = nullptr; ///< called before a link of this processor changes; null if no call is needed
 
     std::uint64_t words_in(std::uint32_t bytes) const {
         return (std::uint64_t{bytes} + bytes_in_a_word - 1) >> (bytes_in_a_word / 2); // divides by 2 or 4
     }
 };
 
-/// A program that writes the bytes of a direction to a register, or reads them from a register. The driver of a link
-/// adapter is such a program. It replaces an engine, which would move the bytes from or to memory.
+/// A program that sends or receives the bytes of a link direction one by one, through a register. The driver of a link
+/// adapter is such a program. At a transputer's end of a link, an engine does this work.
 class RegisterUser {
 public:
-    /// Called when the register is free for the next byte, or when it holds a byte. Must not wait or throw.
+    /// Called when the register can be written (or read). Must not wait or throw.
     virtual void register_ready() = 0;
 
 protected:
     ~RegisterUser() = default;
 };
 
-/// The callbacks of a link that moves bytes by counts (LinkDirection::move_by_counts). They must not wait or throw.
-/// They may call give() and take() of the same direction.
+/// The callbacks of a link whose ends only state how many bytes they send or receive (LinkDirection::move_by_counts).
+/// They must not wait or throw. They may call give() and take() of the same direction.
 class ByteUser {
 public:
     virtual void sent() {}       ///< the acknowledge of the last byte of give() has come
@@ -64,25 +65,25 @@ protected:
     ~ByteUser() = default;
 };
 
-/// One direction of a link. It carries the messages of one channel, by the two engines that the instructions `out` and
-/// `in` start at its ends. A sender continues when the acknowledge of its last byte has arrived, a receiver when the
-/// last byte has arrived. If no process has asked for a message, its first byte waits at the receiving end without an
-/// acknowledge. The times are exact to the bit.
+/// One direction of a link, which carries the messages of one channel. At each end an engine moves the bytes from or to
+/// memory, as after a transputer's instructions `out` and `in`. A sender continues when the acknowledge of its last
+/// byte has arrived, a receiver when the last byte has arrived. If no process inputs a message, its first byte waits at
+/// the receiving end without an acknowledge. The times are exact to the bit.
 ///
-/// If a byte or an acknowledge of a message is lost, the message does not continue. Neither does a message that the
-/// process at one end gives up: no further byte is acknowledged, and the other end stays in the message until it, too,
-/// gives up the message or is reset. This rule is ours: the real engines would take the rest of one message and the
-/// beginning of the next for one message.
+/// If a byte or an acknowledge of a message is lost, no further byte of the message is transferred. If the process at
+/// one end gives up a message, no further byte is acknowledged. The other end then stays in the message until it, too,
+/// gives up the message or is reset. This rule is our choice: the real engines would take the rest of one message and
+/// the beginning of the next for one message.
 ///
 /// Throws std::logic_error if a second channel uses the direction, and for a message without bytes.
 class alignas(64) LinkDirection final : public Carrier {
 public:
-    /// `number` is 0 for the direction from a to b, 1 for the other direction. Both directions share the link's course
-    /// (link_course.hpp).
+    /// `number` is 0 for the direction from a to b, 1 for the direction from b to a. The LinkCourse has the state of
+    /// both directions, and advances it in time.
     LinkDirection(Kernel&, std::string name, const PacketTimes&, LinkCourse&, std::size_t number);
 
-    /// States that one of the two engines moves the messages from or to this memory. Throws std::logic_error if both
-    /// engines have a memory. REQUIRES: the memory outlives the run.
+    /// States that the engine at one end uses this memory. Throws std::logic_error if both ends have a memory already.
+    /// REQUIRES: the memory outlives the run.
     void move_messages_of(LinkEngineMemory&);
 
     void output(AnyChannel&, const WireForm&, const SourceLocation&) override;
@@ -103,32 +104,31 @@ public:
     /// Begins to receive a message for the running process on the channel.
     void begin_reading(AnyChannel&);
     bool can_be_read() const { return phase() == LinkState::Phase::owed; }
-    /// The unit that ends with a byte that was read: none, a part of the message, or the whole message.
+    /// What ends with a byte: a part of the message, the whole message, or nothing.
     enum class Ended { nothing, part, message };
     /// Reads the byte. REQUIRES: can_be_read().
     Ended read_byte();
 
-    // These functions are for ends that move bytes by counts. Each end states how many bytes it will give or take; the
-    // counts may differ. The end with the smaller count is done first, and the other end continues with its remaining
-    // bytes. A fault may strike the bytes. The trace does not show them unless they belong to a channel. Bytes on which
-    // both ends agree count as a part, whose words of memory are rounded up.
-    /// Makes both ends move bytes by counts. Throws std::logic_error if a channel or an adapter uses the direction.
-    /// REQUIRES: the run has not begun; the users outlive the direction.
+    // These functions are for transputers that execute their own code. Each end states how many bytes it will give or
+    // take; the two numbers may differ. The end with the smaller number is done first, and the other end continues with
+    // its remaining bytes. Faults of the link may lose bytes. The trace shows the bytes only if they belong to a
+    // channel. The bytes that both ends have agreed to move count as one part of a message.
+    /// Makes both ends move bytes by give() and take(). Throws std::logic_error if a channel or an adapter uses the
+    /// direction. REQUIRES: the run has not begun; the users outlive the direction.
     void move_by_counts(ByteUser& sender, ByteUser& receiver);
-    /// States that the bytes of the counts are messages of this channel: the trace then shows them, and reports of
-    /// faults name the channel. REQUIRES: the run has not begun; the channel outlives the direction.
+    /// States that the bytes of give() and take() are messages of this channel. The trace then shows them, and reports
+    /// of faults name the channel. REQUIRES: the run has not begun; the channel outlives the direction.
     void carries_bytes_of(AnyChannel& channel) { channel_ = &channel; }
     /// Offers bytes. Throws std::logic_error for 0 bytes, and if sent() has not been called for an earlier give().
     void give(std::uint32_t bytes);
     /// Asks for bytes. Throws std::logic_error for 0 bytes, and if taken() has not been called for an earlier take().
     void take(std::uint32_t bytes);
-    /// Returns whether a first byte waits that no receiver has asked for.
+    /// Returns whether the first byte of a message waits because no receiver has asked for it.
     bool byte_waits() const;
     /// Returns whether take() has received all its bytes. The last bits may still be on the wire.
     bool is_taken();
-    /// Cancel the current give() or take() of this end. If a part was under way, the bytes of this part that had
-    /// arrived are lost, and the other end makes no progress until it is reset, too. Return how many bytes of the part
-    /// had arrived.
+    /// Cancel the current give() or take() of this end. If a part was under way, its bytes are lost, and the other end
+    /// makes no progress until it is reset, too. Return how many bytes of the part had arrived.
     std::uint32_t reset_giving();
     std::uint32_t reset_taking();
 
@@ -137,14 +137,16 @@ public:
     bool output_must_be_reset(const AnyChannel&) const override;
     bool input_must_be_reset(const AnyChannel&) const override;
 
-    /// Returns whether the current message was given up at this end. The end's program must then leave the message.
+    /// Return whether the current message was given up at this end. A program that writes or reads each byte must then
+    /// leave the message.
     bool output_is_given_up() const { return output_given_up_; }
     bool input_is_given_up() const { return input_given_up_; }
 
     std::string why_not_given_up() const override { return ""; }
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
-    /// Returns how many bytes of the given-up message were acknowledged (output) or received (input).
+    /// Clear the end after a message was given up. Return how many of its bytes were acknowledged (output) or received
+    /// (input).
     std::uint64_t reset_output(AnyChannel&) override;
     std::uint64_t reset_input(AnyChannel&) override;
 
@@ -152,21 +154,21 @@ public:
     const std::string& name() const { return name_; }
     /// Returns how many bytes the wire has begun to carry.
     std::uint64_t bytes_carried() const;
-    /// Returns for how long the wire has carried bytes, without acknowledges.
+    /// Returns for how long the wire has carried bytes. Acknowledges do not count.
     Time time_occupied() const;
 
-    /// Makes every step of the link an event. Tests compare such a run with a usual run. REQUIRES: the run has not
-    /// begun.
+    /// Makes every step of the link an event of the kernel. Usually only steps that a process can see are events. Tests
+    /// compare both ways. REQUIRES: the run has not begun.
     void simulate_every_byte() { course_.show_every_step(); }
 
     // The other public functions are for the direction's link.
-    /// Subjects the direction to the faults of its link.
+    /// Makes the direction subject to the faults of its link.
     void suffer(LinkFaults& faults) { faults_ = &faults; }
     /// Records the bytes carried so far. Call it before the speed of the link changes.
     void note_speed();
     /// Returns whether a fault strikes the packet that begins. REQUIRES: the link has faults.
     bool is_lost(LinkStep);
-    /// Acts on a step of this direction. Returns the process that continues, or null.
+    /// Acts on a step that this direction has performed. Returns the process that continues, or null.
     Process* step_performed(LinkState&, LinkStep, const LinkState::Outcome&);
 
 private:
@@ -174,9 +176,8 @@ private:
     void send(Process&, std::uint32_t bytes, bool last_part);
     bool receive(Process&);
 
-    /// The work of the instructions `out` and `in` for a part of a message. Both objects are members of the direction
-    /// instead of local variables of a process. The direction is read next anyway, whereas the stack of a process may
-    /// be in no cache.
+    /// The work of the instructions `out` and `in` for a part of a message. These objects are members of the direction,
+    /// which is in the cache, and not local variables on a process's stack, which may not be.
     struct Out final : Communication {
         explicit Out(LinkDirection& d) : direction(d) {}
         void set(std::uint32_t part, bool last, const SourceLocation& place) {
@@ -210,12 +211,12 @@ private:
     void deliver();
     Process* sending_ended(LinkState&);
 
-    // These members move bytes by counts: link_counts.cpp.
+    // These members serve give() and take(): link_counts.cpp.
     struct Counts {
         ByteUser &sender, &receiver;
-        std::uint32_t to_give = 0, to_take = 0; ///< bytes of the counts beyond the current part
-        std::uint32_t agreed = 0;               ///< bytes of the current part that belong to the receiver's count
-        std::uint32_t given = 0;                ///< the count of give()
+        std::uint32_t to_give = 0, to_take = 0; ///< bytes of give() and take() beyond the current part
+        std::uint32_t agreed = 0;               ///< bytes of the current part that belong to the current take()
+        std::uint32_t given = 0;                ///< the number of bytes of the current give()
         bool gives = false, takes = false;      ///< whether a give() or a take() has not ended
     };
     void tell_watchers() const;
@@ -240,7 +241,7 @@ private:
     void trace_break(Time byte_started);
     void trace_standstill();
 
-    // The members are in the order of use, which saves cache lines. The first members are needed for every packet.
+    // The first members are needed for every packet, so they share cache lines.
     Kernel& kernel_;
     LinkCourse& course_;
     Process* sender_ = nullptr;        ///< set from the start of a part until the acknowledge of its last byte
@@ -289,13 +290,12 @@ public:
     const LinkDirection& from_b_to_a() const { return b_to_a_; }
 
     const LinkTiming& timing() const { return timing_; }
-    /// Returns whether nothing is under way. If so, the link stays as it is until one of its ends acts on it, and
-    /// words_moved() returns the same result at all later times.
+    /// Returns whether nothing is under way. The link then stays as it is until one of its ends acts on it, and
+    /// words_moved() keeps its value.
     bool is_still() const { return course_.is_still(); }
     /// Prefetches the data that words_moved() reads.
     void fetch() const { course_.fetch(); }
-    /// Returns how many words of the current parts the engines at this memory moved before `now`. This performs steps
-    /// of the link that are due, but has no visible effect.
+    /// Returns how many words of the current message parts the engines at this memory moved before `now`.
     std::uint64_t words_moved(const LinkEngineMemory& memory, Time now) {
         return memory.words_in(course_.bytes_begun_before(now, 0)) +
                memory.words_in(course_.bytes_begun_before(now, 1));
@@ -305,10 +305,11 @@ public:
     /// of LinkFaults::add. REQUIRES: the run has not begun.
     const FaultEffect& suffer(const LinkFault&);
 
-    /// Leads the wires through a device that may stop packets. REQUIRES: the run has not begun; the device outlives the
-    /// run.
+    /// Leads the wires through a device that may stop packets, such as a switch that is set during the run. REQUIRES:
+    /// the run has not begun; the device outlives the run.
     void lead_through(SwitchPath&);
-    /// Marks a change of a SwitchPath. A path may begin or cease to lead packets only while such an object exists.
+    /// A device on the link's path may begin or cease to pass on packets only while such an object exists. The object
+    /// brings the link up to the present time.
     class WayChange {
     public:
         explicit WayChange(Link& link) : touch_(link.course_) {}

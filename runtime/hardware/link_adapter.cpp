@@ -62,8 +62,8 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Reads the status register until the data register is ready or the message is given up. An access reads the status at
-/// the time at which the access ends.
+/// Reads the status register until the data register is ready or the message is given up. The value that an access
+/// reads is the status at the end of the access.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
@@ -127,7 +127,7 @@ void AdapterProgram::FromLink::input(AnyChannel& channel, const SourceLocation& 
         if (!link.input_is_given_up())
             program.access();
         ended = LinkDirection::Ended::nothing;
-        if (!link.input_is_given_up() && link.can_be_read()) // otherwise the sender has given up the message
+        if (!link.input_is_given_up() && link.can_be_read()) // if neither holds, the sender has given up the message
             ended = link.read_byte();
     }
 }
@@ -165,7 +165,7 @@ void AdapterBroadcast::Lane::input(AnyChannel& to, const SourceLocation& where) 
 
 bool AdapterBroadcast::Lane::message_waits(const AnyChannel& to) const { return program.to_link().message_waits(to); }
 
-/// Returns whether the output is lost on any lane. It is then lost on all lanes.
+/// Returns whether the output is lost on any lane, because it is then lost on all lanes.
 bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
     return broadcast.is_written() && std::ranges::any_of(broadcast.lanes_, [](const Lane& lane) {
                return lane.link().output_is_lost(*lane.channel);

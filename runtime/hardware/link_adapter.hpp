@@ -18,13 +18,13 @@ class Process;
 
 namespace placedpar::hardware {
 
-/// A link adapter (IMS C011, C012) between a link and a bus. It has a register for a byte of output, a register for a
-/// byte of input, and a status register for each of them. It does not overlap acknowledges: an input byte is
-/// acknowledged when a program reads it from the register (Helios-NG sources). So the link's timing must not overlap
-/// acknowledges, either.
+/// A link adapter (IMS C011, C012), by which a program on a bus sends and receives the bytes of a link. It has a
+/// register for a byte of output, a register for a byte of input, and a status register for each of them. It
+/// acknowledges an input byte only when a program reads it from the register (Helios-NG sources). So the link must have
+/// a timing without overlapped acknowledges.
 class LinkAdapter final : public BusSlave {
 public:
-    /// The end of the link at which the adapter is; the other end is at a transputer. REQUIRES: the link outlives the
+    /// The end of the link at which the adapter is. A transputer is at the other end. REQUIRES: the link outlives the
     /// adapter.
     enum class End { a, b };
     LinkAdapter(Kernel&, std::string name, Link&, End);
@@ -49,15 +49,16 @@ private:
     Register output_, input_;
 };
 
-/// The program by which a master sends and receives messages at an adapter. For each byte it reads the status register
-/// until the data register is ready, then writes or reads the byte. After BusProgram::most_polls unsuccessful reads of
-/// the status, it waits for the adapter's interrupt. Each access costs the program time and the bus a cycle.
+/// The program by which a bus master, such as a host computer, sends and receives messages at an adapter. For each byte
+/// the program reads the status register until the data register is ready, then writes or reads the byte. After
+/// BusProgram::most_polls unsuccessful reads of the status, the program waits for the adapter's interrupt. Each access
+/// to a register takes time of the program and a cycle of the bus.
 ///
-/// If a message is given up (runtime/recovery.hpp), the program leaves it after the current access.
+/// If a process gives up its message (runtime/recovery.hpp), the program abandons the message after the current access.
 class AdapterProgram {
 public:
-    /// REQUIRES: master and adapter outlive the program, and no other master uses the adapter. The master executes the
-    /// processes that output by to_link() and input by from_link().
+    /// REQUIRES: master and adapter outlive the program, and no other master uses the adapter. The processes that
+    /// output by to_link() and input by from_link() are on the master.
     AdapterProgram(Kernel&, VmeMaster&, LinkAdapter&);
 
     /// Return the carriers of the two directions: from a process on the master to a process on the transputer behind
@@ -111,19 +112,20 @@ private:
     FromLink from_link_{*this, adapter_.from_link()};
 };
 
-/// Thrown if the outputs to one broadcast are not the same message.
+/// Thrown if a program outputs different messages to the lanes of a broadcast.
 class BroadcastError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Sends one message to the transputers at several adapters. A single write to the bus reaches the output registers of
-/// all adapters. A program outputs the message in a PAR, on one channel for each adapter. The component that comes last
-/// writes the bytes. It writes a byte when the status of each adapter has shown a free register.
+/// Sends one message to the transputers at several link adapters: a single write on the bus reaches the output
+/// registers of all of them. A program outputs the message in a PAR, on one channel for each adapter. The component
+/// that comes last writes the bytes. It writes a byte when all status registers have shown that the output registers
+/// are free.
 ///
-/// 1. Each lane gets a channel before the run.
-/// 2. Simultaneous outputs on the lanes must be equal messages of the same form. A process that outputs a different
-/// message gets a BroadcastError. If messages of the protocol cannot be compared (SameMessage), every process gets a
+/// 1. Call carry() for each adapter before the run.
+/// 2. The messages that a program outputs on the channels must be equal. A process that outputs a different message
+/// gets a BroadcastError. If messages of the protocol cannot be compared (SameMessage), every process gets a
 /// BroadcastError.
 class AdapterBroadcast {
 public:

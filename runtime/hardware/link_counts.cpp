@@ -1,8 +1,8 @@
-// These functions move bytes for ends that state only how many bytes they send (give()) or receive (take()). These two
-// counts may differ.
+// These functions are for ends that state only how many bytes they send (give()) or receive (take()), such as those of
+// emulated transputers. The two numbers, the counts, may differ.
 //
-// The length of a part is the smaller count. If one end has bytes left to send or to receive when a part ends, the next
-// part begins as soon as the other end states a new count.
+// The bytes travel in parts. The length of a part is the smaller count. If one end has bytes left when a part ends, the
+// next part begins as soon as the other end states a new count.
 
 #include "runtime/hardware/link.hpp"
 #include "runtime/kernel.hpp"

@@ -21,7 +21,7 @@ LinkCourse::LinkCourse(Kernel& kernel, const PacketTimes& times, LinkObserver& o
     ahead_ = &states_[1];
 }
 
-/// Prefetches the states of the link. In a large machine these states are rarely in a fast cache.
+/// Prefetches the states of the link, because in a large machine they are rarely in a fast cache.
 void LinkCourse::fetch_states() const {
     constexpr std::size_t line = 64;
     const char* first = reinterpret_cast<const char*>(states_.data());
@@ -35,8 +35,8 @@ void LinkCourse::Touch::begin_if_free(std::size_t direction) {
         course_.perform(next);
 }
 
-/// Performs a step. If a packet begins that a fault may affect, first asks the observer whether it is lost. Reports the
-/// step to the observer afterwards.
+/// Performs a step, and reports it to the observer. If a packet begins that a fault may affect, first asks the observer
+/// whether the packet is lost.
 Process* LinkCourse::perform(const LinkState::Next& next) {
     LinkState::Fate fate = state_->may_lose_packets && begins_packet(next.step) ? observer_.packet_begins(next)
                                                                                 : LinkState::Fate::comes_over;
@@ -121,8 +121,8 @@ void LinkCourse::look_ahead() {
     }
 }
 
-/// Runs a copy of the state ahead to the next visible step. REQUIRES: the next step of the state itself is invisible.
-/// If no visible step follows, schedules the end of the last step, at which the link falls silent.
+/// Runs a copy of the state ahead to the next visible step. If no visible step follows, schedules the last step, after
+/// which the link is silent. REQUIRES: the next step of the state itself is invisible.
 void LinkCourse::run_ahead(LinkState::Next next) {
     *ahead_ = *state_;
     where_next_ = Ahead::after_others;
@@ -136,8 +136,8 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns a time up to which several packets of the copy can be computed together, because until then packets change
-/// only times and numbers of bytes.
+/// Returns a time up to which many packets of the copy can be computed together. Until then packets change only times
+/// and numbers of bytes.
 Time LinkCourse::runs_before() const {
     Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
     for (std::size_t direction : {0u, 1u}) {
@@ -149,9 +149,9 @@ Time LinkCourse::runs_before() const {
     return before;
 }
 
-/// Computes several packets of the copy together; the first begins at `from`. Does nothing if only one packet can be
-/// computed. Also does nothing if a period is stored already, because catch_up() still needs this period. Returns
-/// whether any packet has begun.
+/// Computes many packets of the copy together; the first begins at `from`. Returns whether any packet has begun. Does
+/// nothing if only one packet can be computed, or if a period is already stored, because catch_up() still needs that
+/// period.
 bool LinkCourse::run_packets(Time from) {
     if (period_.since != never)
         return false;

@@ -10,34 +10,35 @@
 
 namespace placedpar::hardware {
 
-/// A fault of a link. A packet is one byte of data or one acknowledge. Whether the fault strikes a packet is decided
-/// when the packet begins on its wire. This rule is ours: a receiver could understand half a packet only by chance.
+/// A fault of a link, which loses or slows down packets. A packet is one byte of data or one acknowledge. A packet is
+/// lost if the fault acts when the packet begins on its wire. This rule is our choice: a receiver could understand half
+/// a packet only by chance.
 struct LinkFault {
     enum class Kind {
         silent,            ///< packets are lost
         loses_acknowledge, ///< loses the first acknowledge that begins at or after `from`
-        slow               ///< a bit lasts `factor` times as long on both wires, because both ends of a link run at the
-                           ///< same speed
+        slow               ///< a bit lasts `factor` times as long, always on both wires, because both ends of a link
+                           ///< run at the same speed
     };
     Kind kind = Kind::silent;
     Time from{};
     Time until = Time::max(); ///< end of the fault; not used by loses_acknowledge
-    bool wire_from_a = true;  ///< strikes packets that leave end a: bytes from a to b, and acknowledges of bytes from b
-                              ///< to a
-    bool wire_from_b = true;  ///< strikes packets that leave end b
+    bool wire_from_a = true;  ///< the fault acts on packets that leave end a: bytes from a to b, and acknowledges of
+                              ///< bytes from b to a
+    bool wire_from_b = true;  ///< the fault acts on packets that leave end b
     std::int64_t factor = 1;  ///< for `slow`
 };
 
-/// The effects of a fault so far.
+/// What a fault has lost so far.
 struct FaultEffect {
-    /// A packet that the fault struck: a byte of a message, or its acknowledge.
+    /// A packet that was lost: a byte of a message, or its acknowledge.
     struct Hit {
         Time at;
         std::string channel; ///< name of the channel that the message belonged to
         bool acknowledge;
         std::uint64_t byte; ///< number of the byte in the message, from 1
-        /// The kind of message. On a link between routers a message is a packet of a channel, or a packet that
-        /// acknowledges such a packet.
+        /// The kind of message. Routers send the messages of channels in packets. On a link between routers, each
+        /// message is such a packet, or acknowledges such a packet.
         enum class Message { whole, packet, acknowledging_packet };
         Message message = Message::whole;
     };
@@ -45,21 +46,21 @@ struct FaultEffect {
     std::optional<Hit> first, last;
 };
 
-/// A device on the path of a link that may stop packets. An example is a switch that is set during the run. When the
-/// device begins or ceases to lead packets, it must hold a Link::WayChange.
+/// A device on the path of a link that may stop packets, such as a switch that is set during the run. While the device
+/// begins or ceases to pass on packets, it must hold a Link::WayChange.
 class SwitchPath {
 public:
-    /// Returns whether packets from end a (else from end b) now reach the other end.
+    /// Returns whether packets from end a (`leaves_a`) or end b (otherwise) now reach the other end.
     virtual bool leads_on(bool leaves_a) const = 0;
-    /// Records that a packet, which begins now, is lost.
+    /// Records that a packet that begins now is lost.
     virtual void lose(const FaultEffect::Hit& packet, bool leaves_a) = 0;
 
 protected:
     ~SwitchPath() = default;
 };
 
-/// The faults of one link, and the devices through which it leads. They are consulted when a packet begins and need no
-/// events. So a fault has no effect on a link that carries nothing.
+/// The faults of one link, and the devices through which it leads. The link asks for their effect when a packet begins,
+/// so they need no events.
 class LinkFaults {
 public:
     explicit LinkFaults(std::int64_t bits_per_second) : bits_per_second_(bits_per_second) {}
@@ -72,10 +73,10 @@ public:
 
     /// Returns the speed of the link now.
     std::int64_t bits_per_second(Time now) const;
-    /// Decides whether the byte or acknowledge that begins now is lost. Records the effects of the faults.
+    /// Returns whether the byte or acknowledge that begins now is lost. Records a loss in the effects.
     bool strike(const FaultEffect::Hit& packet, bool leaves_a);
-    /// Returns a time up to which every packet that begins reaches the other end at the present speed, without an
-    /// effect to record. A change of a device on the path ends this period.
+    /// Returns a time up to which no packet is lost and the speed does not change, unless a device on the path changes
+    /// before.
     Time steady_until(Time now) const;
 
 private:

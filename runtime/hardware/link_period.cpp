@@ -8,9 +8,10 @@ namespace {
 
 constexpr std::size_t none = 2;
 
-/// Begins the next packet and returns its direction, or returns `none` if the limit excludes the packet. If a byte and
-/// an acknowledge can begin at the same time, the acknowledge goes first, because both need the same wire (`orders` in
-/// link_state.cpp). Two bytes or two acknowledges are on different wires and do not affect each other.
+/// Begins the next packet (a byte or an acknowledge) and returns its direction, or returns `none` if the limit excludes
+/// the packet. If a byte and an acknowledge can begin at the same time, the acknowledge goes first, because both need
+/// the same wire (`orders` in link_state.cpp). Two bytes or two acknowledges are on different wires, so their order
+/// does not matter.
 std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     const Time forth = packets.begin_of_next(0), back = packets.begin_of_next(1);
     const bool first = forth < back || (forth == back && packets.streams[0].acknowledge);
@@ -25,8 +26,8 @@ std::size_t begin_next(LinkPackets& packets, const PacketTimes& times, const Lin
     return direction;
 }
 
-/// Returns when the last byte of a part began. If both directions have begun the last byte of a part, returns the
-/// earlier time; if none has, returns `never`.
+/// Returns when the last byte of a message part began. If both directions have begun such a byte, returns the earlier
+/// time; if none has, returns `never`.
 Time end_of_a_part(const LinkPackets& packets) {
     Time end = never;
     for (const LinkPackets::Stream& stream : packets.streams)
@@ -66,12 +67,12 @@ void LinkPeriod::replay(LinkPackets& packets, const PacketTimes& times, const Li
     run_each(packets, times, limit);
 }
 
-/// Compares the packets after each byte with a copy that was noted at an earlier time. A new copy is noted after 1, 2,
-/// 4, 8 ... bytes, so a period of any length is found.
+/// Compares the state after each byte with a copy of an earlier state: if they are alike, a period has passed. A new
+/// copy is made after 1, 2, 4, 8 ... bytes, so a period of any length is found.
 bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const LinkLimit& limit) {
     since = never;
     LinkPackets noted;
-    std::array<Time, 2> starts{}, starts_before{}; // of the last byte that began, and of the byte before it
+    std::array<Time, 2> starts{}, starts_before{}; // when the last byte began, and the byte before it
     std::uint32_t bytes_until_note = 1, bytes_between_notes = 1;
     bool any = false;
     for (std::size_t next; (next = begin_next(packets, times, limit)) != none;) {
@@ -98,8 +99,8 @@ bool LinkPeriod::find(LinkPackets& packets, const PacketTimes& times, const Link
     return any;
 }
 
-/// Stores the period between `then` and `now`. A short period can be replayed from `then` on, a long period only from
-/// `now` on. `starts_before`: when each direction began its last byte but one.
+/// Stores the period between `then` and `now`. A short period is known from `then` on, a long period only from `now`
+/// on. `starts_before`: when each direction began its last byte but one.
 void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now, const std::array<Time, 2>& starts_before) {
     length = now.now - then.now;
     const LinkPackets& first = length <= longest_simple ? then : now;
@@ -117,8 +118,8 @@ void LinkPeriod::begin(const LinkPackets& then, const LinkPackets& now, const st
 }
 
 void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
-    // If the last byte of a part has begun, no byte of the part is left. The bound is then negative, and no period is
-    // passed.
+    // If the last byte of a part has begun, no byte of the part is left. `periods` then becomes negative, and no period
+    // is skipped.
     std::int64_t periods = (before - packets.now - Time{1}) / length;
     for (std::size_t i : {0u, 1u})
         if (std::uint32_t bytes = paces[i].bytes_a_period)
@@ -134,7 +135,7 @@ void LinkPeriod::pass_periods(LinkPackets& packets, Time before) const {
             stream.due += by;
         if (std::uint32_t bytes = paces[i].bytes_a_period) {
             stream.bytes_left -= static_cast<std::uint32_t>(periods) * bytes;
-            // The start of a byte that began before the first period may not fit the period.
+            // A byte that began before the first period need not fit into the pattern.
             bool extrapolated = stream.last_start < since && length <= longest_simple;
             stream.last_start = by + (extrapolated ? since + Time{paces[i].last_start} : stream.last_start);
         }

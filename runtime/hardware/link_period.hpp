@@ -10,18 +10,17 @@
 
 namespace placedpar::hardware {
 
-/// A limit for packets that are computed together. The acknowledge of the last byte of a part is always beyond the
-/// limit.
+/// A limit for packets (bytes and acknowledges) that are computed together. The acknowledge of a message part's last
+/// byte is always beyond the limit.
 struct LinkLimit {
     Time before = never;          ///< packets that begin at or after this time are beyond the limit
     bool last_bytes_stop = false; ///< the last byte of a part is beyond the limit, too
 };
 
-/// The period of a link's packets. After a few bytes the packets of the two directions repeat: each packet of one
-/// direction begins at the same distance in time from the packets of the other direction. From then on whole periods
-/// are skipped at once. So a long message costs as much host time as a short one.
+/// The period of a link's packets. After a few bytes the pattern of bytes and acknowledges on the two wires repeats.
+/// From then on the simulation skips whole periods at once, so a long message takes as little host time as a short one.
 ///
-/// The most frequently read members come first, so that they share a cache line.
+/// The members that are read most often come first, to share a cache line.
 struct alignas(64) LinkPeriod {
     Time since = never; ///< start of the first period; never: no period is known
     Time until{};       ///< end of the time for which bytes_left() is valid: the last byte of a part, or the end of the
@@ -38,20 +37,20 @@ struct alignas(64) LinkPeriod {
     std::array<LinkPackets::Stream, 2> streams;
     std::array<Time, 2> free_at{};
 
-    /// Begins all packets within the limit, up to the last byte of a part. Stores the period with which they repeat.
-    /// Returns whether any packet has begun.
+    /// Begins all packets within the limit, up to the last byte of a part. Stores the period after which their pattern
+    /// repeats. Returns whether any packet has begun.
     bool find(LinkPackets&, const PacketTimes&, const LinkLimit&);
     void forget() { since = never; }
 
-    /// Repeats the starts of the packets that find() began, up to a limit that is not beyond the limit of find().
+    /// Begins the same packets as find() again. REQUIRES: the limit is not beyond the limit of find().
     void replay(LinkPackets&, const PacketTimes&, const LinkLimit&) const;
     /// Skips as many whole periods as end before `before` and before the last byte of a part. REQUIRES: packets.now is
     /// within the known period.
     void pass_periods(LinkPackets&, Time before) const;
     /// Returns whether bytes_left() is valid for this time and for the picosecond before.
     bool is_simple_around(Time moment) const { return since < moment && moment < until; }
-    /// Returns how many bytes a direction has not begun at `moment`. The function has no branch, because the host
-    /// processor cannot predict the outcome. REQUIRES: since <= moment < until.
+    /// Returns how many bytes of the part a direction has not begun at `moment`. The function has no branch, because
+    /// the host processor could not predict it. REQUIRES: since <= moment < until.
     std::uint32_t bytes_left(std::size_t direction, Time moment) const {
         const Pace& pace = paces[direction];
         std::int64_t periods = (moment - since - Time{pace.last_start}) / length;

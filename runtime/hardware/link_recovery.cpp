@@ -12,8 +12,8 @@ namespace placedpar::hardware {
 using Phase = LinkState::Phase;
 using Ends = LinkState::Ends;
 
-/// Returns whether the packet is lost. Consults the faults, unless the other end has given up the message. The bytes of
-/// such a message never arrive, but are not counted as lost.
+/// Returns whether the packet is lost. If one end has given up the message, its bytes never arrive, but are not counted
+/// as losses of a fault. Otherwise the faults of the link decide.
 bool LinkDirection::is_lost(LinkStep step) {
     using Message = FaultEffect::Hit::Message;
     const bool acknowledge = step == LinkStep::acknowledge_begins;
@@ -28,8 +28,8 @@ bool LinkDirection::is_lost(LinkStep step) {
     return faults_->strike(hit, acknowledge != (number_ == 0));
 }
 
-/// Returns whether the current message is stuck: a packet was lost, or the receiver gave up the message before the next
-/// byte was sent.
+/// Returns whether no further byte of the current message will be transferred: a packet was lost, or the receiver gave
+/// up the message.
 bool LinkDirection::gets_no_further() const {
     const Phase now = phase();
     return now == Phase::byte_lost || now == Phase::acknowledge_lost ||
@@ -50,8 +50,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
 
 bool LinkDirection::is_sending() const { return counts_ ? counts_->gives : channel_ && channel_->output_waits(); }
 
-/// Returns how many bytes of the current message the receiving end has. If no process has asked for a byte, the byte is
-/// counted only when all of it has arrived.
+/// Returns how many bytes of the current message the receiving end has. A byte for which no process waits is counted
+/// only when all of it has arrived.
 std::uint64_t LinkDirection::bytes_received() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
@@ -73,8 +73,8 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// Drops the expected arrivals of the current part. The last byte of the previous part may still be on a long wire;
-/// this arrival is kept, because the receiver waits for it.
+/// Drops the expected arrivals of the current part. On a long wire, the last byte of the previous part may still be
+/// under way. Its arrival is kept, because the receiver waits for it.
 void LinkDirection::break_off(LinkCourse::Touch& touch) {
     touch->drop_first_byte(number_);
     const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;
@@ -82,7 +82,7 @@ void LinkDirection::break_off(LinkCourse::Touch& touch) {
         touch->drop_last_byte(number_);
 }
 
-/// Stops the sender in the middle of its message. If no message is being sent, only withdraws the next packet.
+/// Stops the sender in the middle of its message. If the sender has no message, only withdraws the next packet.
 void LinkDirection::drop_output(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     if (is_sending()) {
@@ -110,14 +110,13 @@ bool LinkDirection::give_up_output(AnyChannel& channel) {
         sender = std::exchange(sender_, nullptr);
     }
     if (writer_)
-        writer_->register_ready(); // the program may sleep until the register is free
+        writer_->register_ready(); // the adapter's program may be waiting until the register is free
     else if (sender)
         kernel_.make_ready(*sender);
     return true;
 }
 
-/// Makes the receiving end leave its message. If part of the message has arrived, the sender cannot continue this
-/// message.
+/// Makes the receiving end leave its message. If a part of the message has arrived, the sender can send no more of it.
 void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     const bool in_message = bytes_received() > 0;
@@ -130,13 +129,13 @@ void LinkDirection::receiver_leaves(LinkCourse::Touch& touch) {
             touch->stop(number_, Phase::broken_off);
         trace_standstill();
     }
-    if (in_message) // the end of an earlier part may still be on the wire
+    if (in_message) // the last byte of an earlier part may still be on the wire
         touch->drop_last_bytes(number_);
     direction.first_byte = LinkState::FirstByte::asked_for;
 }
 
-/// Withdraws the receiver's request for bytes. A byte that is on its way then counts as a byte that no process has
-/// asked for.
+/// Withdraws the receiver's request for bytes. A byte that is on its way then counts as a byte for which no process
+/// waits.
 void LinkDirection::forget_asked_byte(LinkCourse::Touch& touch) {
     LinkState::Direction& direction = touch->directions[number_];
     LinkPackets::Stream& stream = touch->packets.streams[number_];

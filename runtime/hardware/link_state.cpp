@@ -11,8 +11,9 @@ constexpr std::uint8_t order_of(EventQueue::Priority priority, std::size_t rank)
     return static_cast<std::uint8_t>(priority * LinkState::ranks + rank);
 }
 
-/// The order of a direction's packets among simultaneous steps. If two packets can begin on the same wire, the
-/// acknowledge goes first, even if it waited for the wire. begin_next() in link_period.cpp follows the same rule.
+/// The order of the packets of one direction among simultaneous steps. If a byte and an acknowledge can begin on the
+/// same wire, the acknowledge goes first, even if it waited for the wire. begin_next() in link_period.cpp must follow
+/// the same rule.
 struct Orders {
     std::uint8_t acknowledge, acknowledge_that_waited, byte;
 };
@@ -69,8 +70,8 @@ LinkState::Next LinkState::next() const {
     return next;
 }
 
-/// Returns the index of the earliest arrival. The loop has no branches, because the host processor cannot predict the
-/// outcome.
+/// Returns the index of the earliest arrival. The loop has no branches, because the host processor could not predict
+/// them.
 std::size_t LinkState::first_arrival() const {
     Time earliest = arrivals[0];
     std::size_t first = 0;
@@ -103,8 +104,8 @@ LinkState::Outcome LinkState::perform(const Next& next, const PacketTimes& times
     return {};
 }
 
-/// Begins a byte. If a receiver waits for the first byte of a part, the link notices this byte before all of it has
-/// arrived. If, in addition, packets cannot be lost, the arrival of this byte changes nothing, and is left out.
+/// Begins a byte. If a receiver waits for the first byte of a part, acknowledges are overlapped and packets cannot be
+/// lost, the arrival of this byte changes nothing. It is then left out, which saves a step.
 LinkState::Outcome LinkState::begin_byte(std::size_t d, const PacketTimes& times, Fate fate) {
     Direction& direction = directions[d];
     LinkPackets::Stream& stream = packets.streams[d];
@@ -146,8 +147,8 @@ LinkState::Outcome LinkState::begin_acknowledge(std::size_t d, const PacketTimes
     return {.delivers = delivers};
 }
 
-/// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over when
-/// the acknowledge began. If the next part has begun, the acknowledge has always begun, too.
+/// Handles the arrival of a part's last byte. If the acknowledge of this byte has begun, the part was handed over at
+/// that time. If the next part has begun, the acknowledge has certainly begun, too.
 LinkState::Outcome LinkState::last_byte_arrives(std::size_t d) {
     Direction& direction = directions[d];
     const LinkPackets::Stream& stream = packets.streams[d];
@@ -190,8 +191,7 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// Withdraws the next packet. If this packet waited for its wire, the link is busy until the packet that occupies the
-/// wire ends.
+/// Withdraws the next packet. If it waited for its wire, the link stays busy until the end of the packet on the wire.
 void LinkState::stop(std::size_t d, Phase phase) {
     directions[d].at = may_start(d);
     directions[d].phase = phase;

@@ -15,7 +15,7 @@ namespace placedpar::hardware {
 enum class LinkStep : std::uint8_t {
     acknowledge_begins,
     byte_begins,
-    byte_is_noticed,    ///< the receiving end notices a byte that it has not asked for
+    byte_is_noticed,    ///< the receiving end notices a byte for which no receiver waits
     register_is_free,   ///< a program that writes each byte may now write the next one
     first_byte_arrives, ///< the first byte of a part has arrived completely
     last_byte_arrives,  ///< the last byte of a part has arrived completely
@@ -23,11 +23,11 @@ enum class LinkStep : std::uint8_t {
     falls_silent        ///< the link was busy until now; a stuck run may end at this time
 };
 
-/// The state of a link at a moment, and the rule by which it changes. The state is a value. So a copy can be run ahead,
-/// to find out what happens if no process and no fault acts on the link in the meantime.
+/// The state of a link at a moment, and the rule by which the state changes. LinkCourse copies the state and runs the
+/// copy ahead, to find out what happens if no process and no fault acts on the link.
 ///
-/// When a byte travels, the receiving end notices it after a latency. If a receiver has asked for the byte, the
-/// receiving end acknowledges it. The acknowledge allows the next byte to start. A message travels in one or several
+/// When a byte travels, the receiving end notices it after a latency, and acknowledges it if a receiver waits. After
+/// the acknowledge the next byte can start. A packet is a byte or an acknowledge. A message travels in one or several
 /// parts. A part ends for its receiver when its last byte has arrived, and for its sender when the acknowledge of this
 /// byte has arrived.
 struct alignas(64) LinkState {
@@ -36,19 +36,19 @@ struct alignas(64) LinkState {
         idle,             ///< no packet is due; a byte may be sent from the time `at` on
         travels,          ///< a byte or an acknowledge is due, see `packets`
         delivered,        ///< the receiver has the last byte of the part; its acknowledge is due
-        unnoticed,        ///< a byte travels that no receiver has asked for; it is noticed at the time `at`
-        owed,             ///< a byte was noticed that no receiver has asked for; its acknowledge waits for a receiver
+        unnoticed,        ///< a byte travels for which no receiver waits; it is noticed at the time `at`
+        owed,             ///< a byte was noticed for which no receiver waits; its acknowledge waits for a receiver
         restarts,         ///< the program that writes the bytes may write the next one from the time `at` on
         byte_lost,        ///< the last byte that was sent is lost; no packet follows
         acknowledge_lost, ///< the acknowledge of the last byte that was sent is lost; no packet follows
         broken_off        ///< the receiver has given up the current message; no packet of it follows
     };
     enum class Receiver : std::uint8_t { absent, waits };
-    /// Whether the first byte of a part arrived before a receiver asked for it.
+    /// States whether the first byte of a part arrived before a receiver waited for it.
     enum class FirstByte : std::uint8_t { asked_for, waits };
-    /// Whether both ends are in the same message. Otherwise the receiver or the sender has left it in the middle.
+    /// States whether both ends are in the same message, or one of them has left it in the middle.
     enum class Ends : std::uint8_t { agree, receiver_left, sender_left };
-    /// The user of an end. An engine moves whole parts; a program moves each byte.
+    /// The user of an end: an engine of a transputer, which moves whole parts, or a program, which moves each byte.
     enum class User : std::uint8_t { engine, program };
 
     struct Direction {
@@ -66,13 +66,14 @@ struct alignas(64) LinkState {
     LinkPackets packets;
     std::array<Direction, 2> directions;
     /// The times of arrivals; `never` if nothing will arrive. Each direction has three entries: first byte, last byte,
-    /// end of sending. If they are simultaneous, they happen in this order.
+    /// end of sending. Simultaneous arrivals happen in the order of the entries.
     static constexpr std::size_t arrivals_of_a_direction = 3, most_arrivals = 6;
     std::array<Time, most_arrivals> arrivals = {never, never, never, never, never, never};
-    /// For each direction, when the last byte of the next part arrives. This part can begin before the last byte of the
-    /// current part has arrived.
+    /// For each direction, when the last byte of the next part arrives. The next part can begin before the last byte of
+    /// the current part has arrived.
     std::array<Time, 2> last_bytes_after = {never, never};
-    Time busy_until{}; ///< the wires are busy until then, if no step comes later; set if a waiting packet is withdrawn
+    Time busy_until{}; ///< end of the packets on the wires, in case no step comes later; set if a waiting packet is
+                       ///< withdrawn
     std::array<Users, 2> users;
     bool may_lose_packets = false; ///< the link has faults, or leads through a device that may stop packets
 
@@ -86,14 +87,13 @@ struct alignas(64) LinkState {
         std::uint64_t rank() const { return order % ranks; }
     };
     static constexpr std::uint8_t ranks = 8; ///< number of ranks that a link has within one priority
-    /// Returns the next step, which happens unless a process or a fault acts on the link before it. Simultaneous steps
-    /// are ordered: requests for a wire come first, then packets that begin (an acknowledge before a byte on the same
-    /// wire), then arrivals.
+    /// Returns the next step that the link makes by itself. Of simultaneous steps, requests for a wire come first, then
+    /// packets that begin (an acknowledge before a byte on the same wire), then arrivals.
     Next next() const;
     /// Returns the next packet of a direction. Its time is `never` if there is no next packet.
     Next next_packet(std::size_t direction) const;
 
-    /// Whether a packet that begins will reach the other end.
+    /// States whether a packet that begins will reach the other end.
     enum class Fate : std::uint8_t { comes_over, is_lost };
     struct Outcome {
         bool delivers = false; ///< the receiver now has the part
@@ -103,8 +103,8 @@ struct alignas(64) LinkState {
     /// Performs the step. REQUIRES: the step is next() or the next packet of its direction.
     Outcome perform(const Next&, const PacketTimes&, Fate = Fate::comes_over);
 
-    /// Schedules the arrivals of last bytes after several packets were computed together. `bytes_left_before`:
-    /// bytes_left() before these packets. REQUIRES: the packets went no further than the last byte of a part.
+    /// Schedules the arrivals of last bytes after several packets were computed together. `bytes_left_before` is the
+    /// result of bytes_left() before these packets. REQUIRES: the packets ended at the last byte of a part or before.
     void note_last_bytes(const std::array<std::uint32_t, 2>& bytes_left_before, const PacketTimes&);
     std::array<std::uint32_t, 2> bytes_left() const {
         return {packets.streams[0].bytes_left, packets.streams[1].bytes_left};
@@ -135,12 +135,12 @@ struct alignas(64) LinkState {
 
     /// Returns whether the last byte that began still lacks its acknowledge.
     bool is_unacknowledged(std::size_t direction) const;
-    /// Returns whether the receiver will certainly take a first byte that begins now. This is not certain while the
-    /// receiver still waits for the end of the previous part.
+    /// Returns whether the receiver will certainly take a first byte that begins now, because it waits and is not still
+    /// waiting for the previous part.
     bool is_sure_of_receiver(std::size_t direction) const {
         return directions[direction].receiver == Receiver::waits && !expects_last_byte(direction);
     }
-    /// Returns a time up to which packets of this direction can be computed together, because until then they change
+    /// Returns a time up to which packets of this direction can be computed together. Until then the packets change
     /// only times and numbers of bytes.
     Time runs_before(std::size_t direction, const PacketTimes&) const;
     /// Returns the index of the earliest entry of `arrivals`.

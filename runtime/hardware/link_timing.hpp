@@ -11,13 +11,13 @@ namespace placedpar::hardware {
 /// the start of the byte, and the next byte starts 5 to 6 bit periods after the acknowledge (D. Jeffery,
 /// comp.sys.transputer, 13 March 1989).
 ///
-/// Within these ranges, two values are fitted to measurements of whole links at 20 Mbit/s. In one direction a byte
-/// takes 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
-/// comp.sys.transputer, January 1991), and 11.25 by a ping-pong program (sarevok/pr, Poznan 2008). This program also
-/// measured 21.5 bit periods through three switches, which leaves 11.0 without the switches. These figures differ by up
-/// to 5 %; our 11.2 is within 3 % of each. In both directions together a byte takes 17.0 bit periods (2350 Kbyte/s in
-/// sum): the 11 bits of the byte and the restart. At 10 and 5 Mbit/s a byte takes fewer bit periods. So part of the
-/// restart is modelled as logic that does not slow down with the link.
+/// Within these ranges, the two latencies are fitted to measurements at 20 Mbit/s. If only one direction is used, a
+/// byte takes 11.5 bit periods by the databook's table 8.1 (T805, 1740 Kbyte/s), 11.4 by K. Koontz (1.75 Mbyte/s,
+/// comp.sys.transputer, January 1991), and 11.25 by a ping-pong program (sarevok/pr, Poznan 2008). The same program
+/// measured 21.5 bit periods through three switches, that is, 11.0 without their delay. In this simulation a byte takes
+/// 11.2 bit periods, within 3 % of each figure. If both directions are used, a byte takes 17.0 bit periods (2350
+/// Kbyte/s in sum). At 10 and 5 Mbit/s a byte takes fewer bit periods. Therefore a part of the second latency is a
+/// fixed time (`restart_logic`).
 struct LinkTiming {
     static constexpr std::int64_t usual_speed = 20'000'000;
     std::int64_t bits_per_second = usual_speed;
@@ -26,7 +26,8 @@ struct LinkTiming {
 
     static constexpr std::int64_t data_bits = 11;
     static constexpr std::int64_t acknowledge_bits = 2;
-    /// The latencies in tenths of a bit period, and the part of the restart that does not depend on the speed.
+    /// The latencies in tenths of a bit period: from a byte to its acknowledge, and from an acknowledge to the next
+    /// byte (`restart`). `restart_logic`: the part of the restart that does not depend on the speed.
     static constexpr std::int64_t acknowledge_tenths = 52, restart_tenths = 36;
     static constexpr Time restart_logic = std::chrono::nanoseconds{120};
     /// The delay of one metre of wire, as a transmission line.
@@ -36,25 +37,28 @@ struct LinkTiming {
     constexpr Time acknowledge() const { return duration_of(acknowledge_bits, bits_per_second); }
 
     /// Returns the time from the start of a byte at the receiver to the start of its acknowledge, if a receiver waits
-    /// and the wire is free. It is 5.2 bit periods; without overlap, 5.2 bit periods from the end of the byte.
+    /// and the wire is free. With overlapped acknowledges it is 5.2 bit periods. Otherwise the acknowledge starts 5.2
+    /// bit periods after the end of the byte.
     constexpr Time acknowledge_latency() const {
         Time latency = duration_of(acknowledge_tenths, 10 * bits_per_second);
         return overlapped_acknowledge ? latency : data() + latency;
     }
-    /// Returns the time from the start of the acknowledge at the sender to the start of the next byte. At 20 Mbit/s it
-    /// is 6 bit periods; without overlap, 6 bit periods from the end of the acknowledge.
+    /// Returns the time from the start of the acknowledge at the sender to the start of the next byte. At 20 Mbit/s
+    /// with overlapped acknowledges it is 6 bit periods. Otherwise the byte starts 6 bit periods after the end of the
+    /// acknowledge.
     constexpr Time restart_latency() const {
         Time latency = duration_of(restart_tenths, 10 * bits_per_second) + restart_logic;
         return overlapped_acknowledge ? latency : acknowledge() + latency;
     }
 };
 
-/// The times of LinkTiming, computed once, because links need them for each packet.
+/// The times of LinkTiming, computed once, because links need them for each packet. A packet is a byte or an
+/// acknowledge.
 struct PacketTimes {
     struct Packet {
         Time carried;   ///< time for which the wire carries the packet
-        Time to_answer; ///< time from the start of the packet to the request for its answer, which is the acknowledge
-                        ///< of a byte or the byte after an acknowledge
+        Time to_answer; ///< time from the start of the packet to the request for its answer: the acknowledge after a
+                        ///< byte, the next byte after an acknowledge
     };
     explicit constexpr PacketTimes(const LinkTiming& timing)
         : packets{Packet{timing.data(), later(timing.wire_delay, timing.acknowledge_latency())},
@@ -66,7 +70,7 @@ struct PacketTimes {
     /// Return the time from the start of a byte (of an acknowledge) until the whole packet has arrived.
     Time arrival() const { return later(wire_delay, byte().carried); }
     Time acknowledge_arrival() const { return later(wire_delay, acknowledge().carried); }
-    /// Returns whether a byte is noticed before the whole byte has arrived.
+    /// Returns whether an acknowledge begins before the whole byte has arrived.
     bool overlaps() const { return byte().to_answer < arrival(); }
 
     std::array<Packet, 2> packets; ///< a byte, an acknowledge

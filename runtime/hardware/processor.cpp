@@ -13,8 +13,8 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Returns the costs of occam's operations, plus the calls of the program's communication library, plus the accesses to
-/// words in this memory. A copied word takes two accesses: a read and a write.
+/// Returns the costs of occam's operations with this memory, including `channel_call` cycles of a library for each
+/// communication. A copied word takes two accesses to the memory: a read and a write.
 OperationCosts costs_with(Cycles channel_call, const Memory& memory) {
     OperationCosts costs = instructions::t800;
     costs.copied_word = 2 * memory.access;
@@ -96,7 +96,7 @@ void Processor::make_ready(Process& p) {
     } else if (turn_.scheduled() && current_->priority() == Priority::low) {
         if (p.priority() == Priority::high) {
             preempt();
-        } else { // from now on the current process has a rival, so its timeslice matters
+        } else { // from now on another process waits, so the timeslice of the current process matters
             settle();
             schedule_end();
         }
@@ -174,8 +174,8 @@ Time Processor::end_of_slice() const {
     return rounded_up == Time::max() ? rounded_up : rounded_up / timeslice * timeslice;
 }
 
-/// Returns the next descheduling point after the end of the slice. Busy links may make it later. Points are counted
-/// back from the end of the work, which is itself a descheduling point.
+/// Returns the time of the next descheduling point after the end of the slice, if links do not delay the process. The
+/// points are counted back from the end of the work, which is itself a descheduling point.
 Time Processor::next_point_after_slice() const {
     Time over = std::max(end_of_slice(), kernel_.now());
     Time left = later(kernel_.now(), work_left(*current_)) - over;
@@ -198,8 +198,8 @@ void Processor::take_turn() {
     schedule_end();
 }
 
-/// Schedules the end of the work, or the end of the timeslice if it is earlier and other processes wait. Busy links
-/// delay the end of the work; settle() adds this delay when the event happens.
+/// Schedules the end of the work, or an earlier end of the timeslice if other processes wait. Links that access the
+/// memory delay the end of the work; settle() adds this delay when the event happens.
 void Processor::schedule_end() {
     Time end = std::min(later(kernel_.now(), work_left(*current_)), halts_at_);
     if (has_low_rivals())
@@ -224,7 +224,7 @@ void Processor::stop_turn() {
 
 bool Processor::has_low_rivals() const { return current_->priority() == Priority::low && !low_.empty(); }
 
-/// Returns whether a low-priority process that has work left must give way to a rival now.
+/// Returns whether a low-priority process that has work left must give way to another process now.
 bool Processor::gives_way() const { return has_low_rivals() && next_point_after_slice() == kernel_.now(); }
 
 void Processor::note_computing(const Process& process) const {

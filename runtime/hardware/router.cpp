@@ -78,8 +78,8 @@ bool Router::Port::halted() const { return router_.executive_ && router_.executi
 
 bool Router::Port::stands_still() const { return out_.output_is_lost() || halted() || opposite_->halted(); }
 
-/// Returns whether this port still holds a packet of the route. If only the acknowledge of the packet's last byte was
-/// lost, the packet itself has crossed the link.
+/// Returns whether this port still holds a packet of the route. A packet has left if it has crossed the link, even if
+/// the acknowledge of its last byte was lost.
 bool Router::Port::holds_packet_of(const Route& route) const {
     bool has_got_over = on_link_ && !out_.output_waits();
     return (being_sent_ == &route && !has_got_over) ||
@@ -194,7 +194,7 @@ void Route::arrived(const RouterPacket& packet) {
     }
 }
 
-/// Takes a packet for the inputting process. The last packet of a message completes the message.
+/// Takes a packet for the inputting process, and acknowledges it. The last packet of a message completes the message.
 void Route::take(const RouterPacket& packet) {
     if (packet.last) {
         channel_->hand_over();

@@ -22,10 +22,10 @@ namespace placedpar::hardware {
 
 class Route;
 
-/// A packet between routers: a part of a message, or an acknowledge that returns.
+/// A packet that routers send over a link: a part of a message, or an acknowledge that returns to the sender.
 struct RouterPacket {
-    static constexpr std::uint32_t header_bytes = 4; ///< ours: one word for the channel and the kind of packet
-    static constexpr std::int64_t most_bytes = 256;  ///< ours: largest number of a message's bytes in one packet
+    static constexpr std::uint32_t header_bytes = 4; ///< our choice: one word for the channel and the kind of packet
+    static constexpr std::int64_t most_bytes = 256;  ///< our choice: the most bytes of a message in one packet
 
     Route* route;
     bool acknowledge;
@@ -36,43 +36,43 @@ struct RouterPacket {
     WireForm wire_form() const { return WireForm(header_bytes + bytes); }
 };
 
-/// The costs of a router for its processor.
+/// What a router costs its processor.
 struct RouterCosts {
-    /// The priority of the two processes at each link. At high priority they pre-empt a computing process of low
-    /// priority. At low priority they wait for such a process, up to two timeslice periods for each packet that they
-    /// send or receive.
+    /// The priority of the two processes at each link. At high priority they pre-empt a process of low priority that
+    /// computes. At low priority they wait for it, up to two timeslice periods for each packet that they send or
+    /// receive.
     Priority priority = Priority::high;
-    /// Cost of sending or receiving a packet, in addition to the instructions. This is our choice, for queueing the
-    /// packet, looking up its route, and rescheduling.
+    /// Cost of sending or receiving a packet, beyond the instructions `out` and `in`: queueing the packet, looking up
+    /// its route, and rescheduling. The figure is our choice.
     Cycles handling{200};
 };
 
-/// Passes on packets at one processor. So several channels can share a link, and a channel can lead over other
-/// processors. At each link of the router, two processes send and receive packets. A packet that arrives is for a
-/// process here, or continues over another link. Channels whose packets wait for a link take turns, with one packet in
-/// each turn, so that a long message does not block a short one.
+/// Sends and passes on packets at one processor. With routers, several channels can share a link, and a channel can
+/// lead over other processors. At each link of the router, one process sends packets and one receives them. A packet
+/// that arrives is for a process of this processor, or continues over another link. Channels whose packets wait for a
+/// link take turns, with one packet in each turn, so that a long message does not block a short one.
 ///
-/// Each packet costs the links a header. It costs a processor RouterCosts::handling, in addition to the instructions,
-/// when it is sent and when it is received. A packet that is passed on is both received and sent.
+/// Each packet has a header of 4 bytes. A processor spends RouterCosts::handling and the instructions when it sends a
+/// packet and when it receives one. A processor that passes on a packet does both.
 ///
-/// Routing cannot cause a deadlock, whatever the routes are. A receiver waits only for its link, because there is
-/// always room for a packet. A channel has at most Route::most_under_way packets and their acknowledges at a time, and
-/// each router on its route reserves room for this number. So a packet whose turn comes passes the link, every packet
-/// gets its turn, and every packet arrives, whatever the processes do. A channel waits only for its own processes.
+/// Routing cannot cause a deadlock, whatever the routes are. Each router on a channel's route reserves room for
+/// Route::most_under_way packets and their acknowledges, and the channel never has more packets under way. So a router
+/// always has room for a packet that arrives, and every packet gets its turn and arrives. A channel waits only for its
+/// own processes.
 ///
-/// If a link loses part of a packet (link_faults.hpp), or a processor halts, packets stop there for ever, because
-/// routers do not repeat them. The channels of these packets wait for ever; other channels continue.
+/// Routers do not repeat packets. If a link loses a part of a packet (link_faults.hpp) or a processor halts, the
+/// channels with packets there wait for ever; other channels continue.
 class Router {
 public:
-    /// Makes a router on the processor `executive`. Null means an infinitely fast processor. Throws std::logic_error if
+    /// Makes a router on the processor `executive`; null means an infinitely fast processor. Throws std::logic_error if
     /// the handling is negative.
     explicit Router(Kernel&, Executive* executive, const RouterCosts& = {});
     Router(const Router&) = delete;
     Router& operator=(const Router&) = delete;
 
-    /// Return the number of packets that were passed on from one link to another, and their cost to the processor,
-    /// including instructions. The cost does not include the interrupts of other processes. A packet causes at most two
-    /// of them, one when it comes and one when it has gone.
+    /// Return the number of packets that were passed on from one link to another, and the cycles that they cost the
+    /// processor, including instructions. The cycles of interrupting another process, at most twice for each packet,
+    /// are not included.
     std::uint64_t packets_passed_on() const { return packets_passed_on_; }
     Cycles cycles_of_passing_on() const;
 
@@ -125,8 +125,8 @@ struct RouterLane {
     std::string name;
 };
 
-/// A link, or a path over a bus, between two routers. Channels travel over it in packets. REQUIRES: nothing else uses
-/// the link.
+/// A link, or a path over a bus, between two routers. It carries the packets of any number of channels. REQUIRES:
+/// nothing else uses the link.
 class RouterLink {
 public:
     RouterLink(Kernel&, Link&, Router& a, Router& b);
@@ -145,14 +145,15 @@ struct Hop {
     bool from_a_to_b;
 };
 
-/// A channel that travels in packets over one or more links. It is a rendezvous like any other channel: the outputting
-/// process continues when the acknowledge of its last packet has returned. A packet is acknowledged when the inputting
-/// process takes it. Until then the packet waits at the receiving end, so a channel with a late receiver does not block
+/// Carries the messages of one channel in packets over one or more links. The inputting process's end acknowledges a
+/// packet when the process takes it. The outputting process continues when the acknowledge of its last packet has
+/// returned. Until a packet is taken, it waits at the receiving end, so a channel with a late receiver does not block
 /// other channels.
 class Route final : public Carrier {
 public:
-    static constexpr std::size_t most_under_way = 4; ///< ours: largest number of packets sent and not yet acknowledged
-    /// The memory that each processor on the route reserves for the channel, in bytes. Both ends are included.
+    static constexpr std::size_t most_under_way = 4; ///< our choice: the most packets that are sent and not yet
+                                                     ///< acknowledged
+    /// The memory that each processor on the route, including both ends, reserves for the channel, in bytes.
     static constexpr std::int64_t room = most_under_way * (RouterPacket::header_bytes + RouterPacket::most_bytes);
 
     /// REQUIRES: there is at least one hop, each hop begins at the router where the previous hop ends, and no hop
@@ -163,7 +164,7 @@ public:
     void input(AnyChannel&, const SourceLocation&) override;
     bool message_waits(const AnyChannel&) const override { return !here_.empty(); }
     std::string why_not_given_up() const override { return "travels in packets, which routers carry to their end"; }
-    /// Returns whether a packet of the current message, or its acknowledge, is stopped.
+    /// Returns whether a packet of the current message, or its acknowledge, will never arrive.
     bool output_is_lost(const AnyChannel&) const override { return is_stopped(); }
     bool input_is_lost(const AnyChannel&) const override { return inputter_ && is_stopped(); }
     /// Return whether a packet is stopped at this link, or by this halted processor on the route.
@@ -179,7 +180,7 @@ private:
         return std::ranges::any_of(forth_, has) || std::ranges::any_of(back_, has);
     }
 
-    /// Advances the packet, which has arrived over a link. Returns the port that sends it on, or null if its route ends
+    /// Notes that the packet has arrived over a link. Returns the port that sends it on, or null if its route ends
     /// here.
     Router::Port* onward(RouterPacket&) const;
     void arrived(const RouterPacket&);

@@ -11,7 +11,7 @@ namespace placedpar::hardware {
 
 namespace {
 
-/// Reserves a link engine for a channel, as long as the object exists.
+/// Reserves a link engine (an end of a link direction) for a channel, as long as the object exists.
 class EngineInUse {
 public:
     EngineInUse(SharedEngine& engine, const AnyChannel& channel) : engine_(engine) {

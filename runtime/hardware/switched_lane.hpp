@@ -12,16 +12,16 @@ namespace placedpar::hardware {
 
 class LinkDirection;
 
-/// One engine of a processor's link. A switch connects it with different partners, one after another. It carries one
-/// message at a time, and stores the channel of this message.
+/// One end of a link at a processor, for one direction, if a switch connects it with different partners, one after
+/// another. `channel` is the channel of the message that the link engine moves now; null if there is none.
 struct SharedEngine {
     std::string name; ///< name of the link in error messages
     const AnyChannel* channel = nullptr;
 };
 
-/// A direction of a link through a switch. The switch is set during the run, so other links share the engines at the
-/// ends of this link. Throws std::logic_error if a process uses an engine while it carries a message of another
-/// channel. On the real machine these channels would be one channel, with one process at each end.
+/// Carries messages over a direction of a link that leads through a switch. The switch is set during the run, so a link
+/// engine serves several simulated links, one for each partner. Throws std::logic_error if a process uses an engine
+/// while it moves a message of another channel.
 class SwitchedLane final : public Carrier {
 public:
     /// REQUIRES: the arguments outlive the lane.

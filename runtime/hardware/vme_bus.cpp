@@ -101,7 +101,7 @@ bool VmeBus::is_nearer(const VmeMaster& master, const VmeMaster& than) const {
     return std::pair(turn_of(master), master.place().slot) < std::pair(turn_of(than), than.place().slot);
 }
 
-/// Returns the position of the master's request level in the order of turns; position 0 goes first.
+/// Returns the position of the master's request level in the arbitration; the level at position 0 gets the bus first.
 int VmeBus::turn_of(const VmeMaster& master) const {
     int first = arbitration_ == Arbitration::round_robin ? last_level_ - 1 : levels - 1;
     return (first - master.place().level + levels) % levels;
@@ -114,7 +114,8 @@ void VmeBus::grant(VmeMaster& master) {
     move_block();
 }
 
-/// Moves the holder's first block, or only one word of it if the holder must yield to another master.
+/// Moves the first block of words of the master that has the bus, or only one word if this master must yield to
+/// another.
 void VmeBus::move_block() {
     VmeMaster::Block& block = *holder_->blocks_.front();
     block_began_ = kernel_.now();

@@ -19,21 +19,23 @@ namespace placedpar::hardware {
 
 class VmeMaster;
 
-/// The rule by which one of the requesting masters gets a VMEbus. `priority` (PRI): the highest request level.
-/// `round_robin` (RRS): the levels take turns in descending order, beginning below the level that had the bus last.
-/// `single_level` (SGL): there is only BR3. Within a level the grant is passed from slot to slot, and the requesting
-/// master in the lowest slot keeps it (VMEbus specification).
+/// The rule by which one of the requesting masters gets a VMEbus. A master requests the bus on one of the levels BR0 to
+/// BR3. `priority` (PRI): the highest level gets the bus. `round_robin` (RRS): the levels take turns in descending
+/// order, beginning below the level that had the bus last. `single_level` (SGL): there is only BR3. Within a level, the
+/// requesting master in the lowest slot gets the bus (VMEbus specification).
 enum class Arbitration { priority, round_robin, single_level };
 
-/// The time at which a master gives up the bus: `when_done` (RWD) after each block of words, `on_request` (ROR) when
-/// another master requests the bus.
+/// When a master gives up the bus: `when_done` (RWD) after each block of words, `on_request` (ROR) when another master
+/// requests the bus.
 enum class Release { when_done, on_request };
 
 /// The times of a VMEbus.
 struct VmeTiming {
-    Time word = std::chrono::nanoseconds{310};        ///< D32 with ordinary memory, published (textbook figure)
-    Time byte = std::chrono::nanoseconds{310};        ///< ours: a register is as fast as ordinary memory
-    Time arbitration = std::chrono::nanoseconds{200}; ///< ours: time from a request or a release to the grant
+    Time word = std::chrono::nanoseconds{310};        ///< a transfer of 32 bits (D32) with ordinary memory; published
+                                                      ///< textbook figure
+    Time byte = std::chrono::nanoseconds{310};        ///< our choice: a register is as fast as ordinary memory
+    Time arbitration = std::chrono::nanoseconds{200}; ///< our choice: time from a request or a release of the bus to
+                                                      ///< the grant
     Time time_out = std::chrono::microseconds{125};   ///< published: a common default of bus timers
 };
 
@@ -64,18 +66,20 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// A VMEbus. Its masters request the bus, and one of them gets it. The bus then moves words for the processes of this
-/// master.
+/// A VMEbus. Its masters, such as a host computer or a transputer board, request the bus, and one of them gets it. The
+/// bus then moves words for the processes of this master.
 ///
-/// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up. It
-/// decides among all masters that then request the bus.
-/// 2. The move of a word is always completed. After the word, a master with Release::on_request gives up the bus if any
-/// other master requests it. A master with Release::when_done gives it up within a block only to a master of a higher
-/// level, and only if the arbitration is PRI (BCLR). The rest of the block waits for the master's next turn.
-/// 3. A master with Release::on_request keeps the bus until another master requests it. Meanwhile it needs no
-/// arbitration.
-/// 4. The words of a block follow each other without a break. One event covers the block until a request arrives to
-/// which the holder must yield. A request at the end of a word waits for the next word.
+/// 1. The arbiter decides when the time `VmeTiming::arbitration` has passed since the bus was requested or given up.
+/// The arbiter chooses among all masters that request the bus at that time.
+/// 2. The move of a word is always completed. After each word, a master with Release::on_request gives up the bus if
+/// any other master requests it. A master with Release::when_done usually finishes its block. Only with PRI arbitration
+/// it gives up the bus earlier, to a master of a higher level (signal BCLR). The rest of the block waits for the
+/// master's next turn.
+/// 3. A master with Release::on_request keeps the bus after its last block until another master requests it. Meanwhile
+/// its further blocks need no arbitration.
+/// 4. The words of a block follow each other without a break, and need a single event. If the master must yield to a
+/// new request, the event is moved to the end of the current word. A request at the very end of a word waits for the
+/// next word.
 class VmeBus {
 public:
     /// Throws std::logic_error unless the times of a word, a byte and the time-out are positive, and the time of the
@@ -138,8 +142,8 @@ struct VmePlace {
     Release release = Release::when_done;
 };
 
-/// The costs of programmed input and output for a master's program, in cycles of the executive's clock. The time on the
-/// bus is added to these costs.
+/// What accesses over the bus cost a master's program, in cycles of its processor's clock. The time on the bus comes in
+/// addition.
 struct BusProgram {
     Cycles byte_access{};         ///< access to a register
     Cycles read_word{};           ///< reading a word of memory
@@ -150,7 +154,7 @@ struct BusProgram {
                                   ///< for an interrupt
 };
 
-/// A requester. It requests the bus for the processes of one executive, one after another.
+/// A bus master. It requests the bus for the processes of one processor, one after another.
 class VmeMaster {
 public:
     /// REQUIRES: the bus outlives the master. Throws std::logic_error for a level outside 0 to 3 and for a slot outside
@@ -165,8 +169,8 @@ public:
     const VmePlace& place() const { return place_; }
     const BusProgram& program() const { return program_; }
 
-    /// Move words for the running process, or access a register once. The process keeps its executive, which stands
-    /// still meanwhile. Throw BusError if no slave responds. REQUIRES: words > 0.
+    /// Move words for the running process, or access a register once. Meanwhile the process's processor stands still.
+    /// Throw BusError if no slave responds. REQUIRES: words > 0.
     void move_words(BusSlave&, std::uint64_t words);
     void access_byte(BusSlave&);
     /// Holds the bus for a time without a break, like a device that does not release the bus.

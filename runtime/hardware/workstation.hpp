@@ -13,9 +13,9 @@ class Kernel;
 
 namespace placedpar::hardware {
 
-/// The processor of a host computer on a bus. It runs one process until the process waits; then it takes the next ready
-/// process, high priority first. The cost of communication in its operating system was not measured. So channels, PAR,
-/// ALT and timers take no time on it. Computing takes time, and so does programmed input and output over the bus.
+/// The processor of a host computer on a bus. It runs a process until the process waits. Then it takes the next ready
+/// process, high priority first. Computing takes time, and so does input and output over the bus. Channels, PAR, ALT
+/// and timers take no time, because their costs in the host's operating system were not measured.
 class Workstation final : public Executive {
 public:
     /// The clock frequency of a Sun 3/280's 68020 in Hz (data sheet).

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-// ALT, clocks and timers.
+// This file has the instructions of ALT, clocks and timers.
 
 namespace placedpar::transputer {
 namespace {
@@ -80,7 +80,7 @@ void Core::disable_timer() {
     registers_.b = registers_.c;
 }
 
-/// Returns whether taltwt need not wait.
+/// Returns whether taltwt need not wait, because a guard is ready or the time has come.
 bool Core::time_has_come() {
     const Word workspace = registers_.workspace;
     if (load(workspace - below::state) == alternative::ready)
@@ -163,8 +163,8 @@ void Core::join_timers(Word time) {
     find_next_timer();
 }
 
-/// Removes the process from its timer queue, and stores the time in its workspace. Does nothing if it is not in this
-/// queue. REQUIRES: something other than its timer has woken the process.
+/// Removes the process from its timer queue, and stores the time in its workspace. Does nothing if the process is not
+/// in this queue. REQUIRES: the timer has not woken the process.
 void Core::leave_timers(Word workspace, int priority, Time now) {
     Word place = reserved::timer_heads + 4 * static_cast<Word>(priority);
     for (Word next = load(place), left = longest_queue(); next != not_a_process && left > 0;

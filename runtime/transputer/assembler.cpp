@@ -90,7 +90,7 @@ public:
         }
     }
 
-    /// Assembles until no instruction needs more bytes. Each instruction begins with one byte and only grows, so the
+    /// Assembles in passes until no address changes. Each instruction begins with one byte and only grows, so the
     /// number of passes is finite.
     Assembly run() && {
         pass();
@@ -220,7 +220,8 @@ private:
                                   : encoded(function, static_cast<std::int32_t>(sum), statement.bytes.size());
     }
 
-    /// Returns ldc and ldpi. Together they load the address of a label, wherever the program is in memory.
+    /// Returns the instructions ldc and ldpi, which together load the address of a label, wherever the program is in
+    /// memory.
     CodeBytes address_of(const Statement& statement) {
         constexpr Word size_of_ldpi = 2;
         bool has_label = false;

@@ -13,7 +13,7 @@
 
 namespace placedpar::transputer {
 
-/// An assembled program.
+/// An assembled program, as machine code of a transputer.
 struct Assembly {
     struct Line {
         Word address;
@@ -21,7 +21,7 @@ struct Assembly {
         std::string source;
     };
     Word origin;
-    std::vector<std::uint8_t> bytes; ///< bytes from the origin on
+    std::vector<std::uint8_t> bytes; ///< the machine code; the first byte is at the address `origin`
     std::map<std::string, Word, std::less<>> labels;
     std::vector<Line> lines;
 
@@ -38,24 +38,26 @@ struct AssemblyError : std::runtime_error {
     std::size_t line, column;
 };
 
-/// Assembles a program for the transputer, to be loaded at `origin`. Each line has the form
+/// Assembles a program for the transputer, to be loaded at the address `origin`. Each line has the form
 ///
 ///     label: mnemonic operand; mnemonic operand     -- a comment
 ///
-/// with any number of instructions; label and comment may be missing. Mnemonics are in lower case.
+/// with any number of instructions. Label and comment may be missing. Mnemonics are in lower case.
 ///
 /// - A direct function (`ldc`, `stl`, ...) has an operand: a sum of numbers and names such as `table - start + 4`.
-///   Numbers are decimal, or hexadecimal after `#`. The assembler adds as many prefixes as the operand needs, and makes
-///   the shortest code.
-/// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is the distance from the next instruction.
+/// Numbers are decimal, or hexadecimal after `#`. The assembler adds the prefixes that the operand needs, and makes the
+/// shortest code.
+/// - `j`, `cj` and `call` go to a label: `j loop`. An operand without labels is a distance in bytes from the next
+/// instruction.
 /// - `ldpi` with an operand loads the address of a label, wherever the program is loaded. It becomes `ldc label - here;
 ///   ldpi; here:`.
 /// - Other operations (`add`, `startp`, `fpadd`, ...) have no operand. `opr #17C` executes the operation with this
 ///   code.
-/// - An operation that the floating-point unit selects by a number, such as `fpusqrtfirst`, becomes `ldc 1; fpentry`.
+/// - Some operations of the floating-point unit have a number that `fpentry` takes from register A. For example,
+/// `fpusqrtfirst` becomes `ldc 1; fpentry`.
 /// - `.byte`, `.half` and `.word` store sums, separated by commas, as values of 1, 2 and 4 bytes. `.byte` also stores
 ///   the characters of a text in quotes. `.align` stores zeros up to the next whole word.
-/// - `size = 4 + 1` gives a number a name, for the lines that follow.
+/// - `size = 4 + 1` gives a number the name `size` in the lines that follow.
 ///
 /// If a model is given, operations that this model lacks are errors. Throws AssemblyError if the program has an error.
 Assembly assemble(std::string_view source, Word origin = 0, std::optional<Model> = std::nullopt);

@@ -46,8 +46,8 @@ void Core::communicate_by_link(int link, const Communication& asked) {
     links_.begin_transfer(link, asked.address, asked.bytes);
 }
 
-/// Notifies a process in an ALT that one of its channels is ready. `woken`: the change to report, which says whether
-/// another process or a link made the channel ready.
+/// Notes in the state of an ALT that one of its channels is ready, and makes the process ready if it waits. `woken`:
+/// the change to report to a watcher, which differs for channels of links.
 void Core::wake_alternative(Word partner, Time now, ProcessChange woken) {
     const Word workspace = partner & ~Word{3};
     const Word state = load(workspace - below::state);

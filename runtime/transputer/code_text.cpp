@@ -97,10 +97,10 @@ private:
 /// The collectors of INMOS's toolsets divide code into packets of this number of bytes, each preceded by its length
 /// (observed in files).
 constexpr std::size_t packet_bytes = 60;
-/// The greatest length of a stage, in bytes. A longer stage is shown in parts.
+/// The most bytes of a stage. A longer stage is shown in parts.
 constexpr std::size_t longest_stage = 4096 * (packet_bytes + 1);
 
-/// Bytes of a file that are loaded together into memory.
+/// A stage of a boot: bytes of the file that are loaded into memory together, such as the loader.
 struct BootStage {
     std::string_view name;
     std::size_t first = 0; ///< position in the file
@@ -138,7 +138,8 @@ public:
     }
 
 private:
-    /// Returns the position of the empty packet that ends the packets from `begin` on; `begin` if there is none.
+    /// Returns the position of the empty packet that ends the packets from `begin` on, or `begin` if no empty packet
+    /// ends them.
     std::size_t opening_end(std::size_t begin) const {
         std::size_t at = begin;
         while (at < file_.size() && file_[at] != 0)
@@ -159,8 +160,8 @@ private:
             add("other bytes", since, at - since);
     }
 
-    /// Adds a stage of all full packets from `at` on and the shorter packet that follows them. Returns the position
-    /// after them.
+    /// Adds a stage that joins all full packets from `at` on and the shorter packet that follows them. Returns the
+    /// position after them.
     std::size_t add_packets(std::size_t at) {
         BootStage stage{.name = "packets", .first = at + 1, .in_packets = true};
         for (bool more = true; more && at < file_.size() && stage.bytes.size() < longest_stage;) {

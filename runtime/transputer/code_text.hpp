@@ -10,12 +10,12 @@
 #include <string>
 #include <string_view>
 
-/// Machine code as text.
+/// Prints a transputer's machine code as text.
 namespace placedpar::transputer {
 
-/// Returns an instruction in assembler notation: "ldl     3". `target` replaces the operand if it is not empty.
+/// Returns an instruction in assembler notation, such as "ldl 3". `target` replaces the operand, unless it is "".
 std::string print_instruction(const CodedInstruction&, std::string_view target);
-/// Returns bytes in hexadecimal, at most six: "21 F5".
+/// Returns at most six bytes in hexadecimal, such as "21 F5".
 std::string print_bytes(std::span<const std::uint8_t>);
 /// Returns an address: "#80000070".
 std::string print_address(Word);
@@ -27,9 +27,9 @@ std::string print_memory(std::span<const std::uint8_t>, Word address, std::span<
 struct FileRange {
     std::size_t from = 0, until = std::numeric_limits<std::size_t>::max(); ///< `until` is not included
 };
-/// Writes a bootable file as text: the loader at its beginning, which is code at MemStart, then the bytes that the
-/// loader reads. Joins the packets into which INMOS's collectors divide the code. Bytes without a known address are
-/// shown with their position in the file.
+/// Writes a bootable file as text. First comes the loader, which is code at MemStart, then the bytes that the loader
+/// reads. INMOS's collectors divide the code into packets; the text shows the joined code. Bytes without a known
+/// address are shown with their position in the file.
 void print_bootable(std::span<const std::uint8_t> file, Model, const FileRange&,
                     const std::function<void(std::string_view)>& write);
 

@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
-/// Communication on one processor, and the switch to the next process. The engine performs them without leaving its
-/// loop, so these functions are expanded where they are called.
+/// Communication between processes of one transputer, and the switch to the next process. These functions of Core are
+/// inline, because the loop that executes instructions calls them often.
 namespace placedpar::transputer {
 
 #define PLACEDPAR_EXPANDED [[gnu::always_inline]] inline
@@ -97,8 +97,9 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
     return false;
 }
 
-/// If a communication on this processor ends before `until`, performs it, and switches to the next process if needed.
-/// Returns `scheduling` if nothing was done, and `budget` if execution can continue.
+/// Performs the communication and, if needed, switches to the next process. Does nothing and returns `scheduling` if
+/// the channel is a link's or the communication would end at `until` or later. Returns `budget` if execution can
+/// continue.
 PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Registers& r, HalfCycles until) {
     const Communication asked = communication_by(operation, r);
     const HalfCycles ends = local_ + cost_of(operation, asked);
@@ -110,8 +111,8 @@ PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Reg
     return switch_at_once(communicate(operation != Operation::in, asked, r), r);
 }
 
-/// Takes the next process if the running process does not continue, unless only the scheduler can find the next
-/// process.
+/// Takes the next process from its queue if the running process does not continue. Returns `performed` if only the
+/// scheduler can choose the next process.
 PLACEDPAR_EXPANDED Core::Left Core::switch_at_once(bool goes_on, Registers& r) {
     if (stopped_ != Stopped::nothing)
         return Left::performed;

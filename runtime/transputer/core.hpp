@@ -19,26 +19,26 @@ namespace placedpar::transputer {
 
 class CodeLines; // runtime/transputer/code_lines.hpp
 
-/// The timing constants of a node.
+/// The timing constants of an emulated transputer.
 struct CoreTiming {
     std::int64_t clock_hz = 20'000'000;
-    int memory_cycles = 3; ///< cycles of an access to a word outside of the chip; published: at least 3
+    int memory_cycles = 3; ///< cycles of an access to a word of memory outside of the chip; published: at least 3
     int switch_cycles = 0; ///< cycles of a switch to the next process, beyond the instruction that gives up the
                            ///< processor
-    /// States whether all addresses beyond the memory wrap round to its beginning, as on boards. Otherwise only
-    /// addresses of lb, sb, ldnl and stnl wrap, because programs use them to find the size of the memory; other
-    /// accesses stop the core.
+    /// True: addresses beyond the end of the memory wrap round to its beginning, as on boards. False: only addresses of
+    /// lb, sb, ldnl and stnl wrap, because programs find the size of the memory by these instructions. Other accesses
+    /// beyond the end stop the core.
     bool wraps = false;
 };
 
-/// The link operations that a core needs. The channels 0 to 3 are the outputs, 4 to 7 the inputs, and 8 is the event
-/// channel. The functions must not wait or throw.
+/// The operations of links that a core calls. Channels 0 to 3 are the outputs of the links, 4 to 7 the inputs, and 8 is
+/// the event channel. The functions must not wait or throw.
 class LinkEngines {
 public:
-    /// Begins to move bytes from or to memory. Core::transfer_ended() is called at the end. If the link is not
+    /// Begins to move bytes from or to memory, and calls Core::transfer_ended() at the end. If the link is not
     /// connected, the transfer never ends.
     virtual void begin_transfer(int channel, Word address, Word bytes) = 0;
-    /// Returns whether a byte waits at an input that has no transfer.
+    /// Returns whether a byte has arrived at an input for which no transfer has begun.
     virtual bool byte_waits(int channel) = 0;
     /// Cancels the current transfer.
     virtual void reset(int channel) = 0;
@@ -47,11 +47,12 @@ protected:
     ~LinkEngines() = default;
 };
 
-/// The processor core of an emulated transputer: registers, memory, both queues of processes, both timer queues. It
-/// executes instructions with the cycles of the published table, and does not depend on the kernel or the wires.
+/// The processor of an emulated transputer: registers, memory, the queues of processes and of timers. It executes a
+/// transputer's own code, with the cycles of the published table. It knows nothing of the simulation's events and
+/// wires; Node makes it a device of a simulation.
 ///
-/// Processes are workspaces in the memory, as on the machine: the queues, the states of an ALT and the saved registers
-/// of an interrupted process are in the same words as in the real machine. An instruction has its effect at its end.
+/// Processes are workspaces in the memory. The queues, the states of an ALT and the saved registers of an interrupted
+/// process are in the same words as in the real machine. An instruction has its effect at its end.
 ///
 /// Source: IMS T800 data sheet; "Transputer instruction set: a compiler writer's guide" (INMOS 1988).
 class Core : private CoreState {
@@ -61,22 +62,20 @@ public:
     /// The reason why a run() has ended.
     enum class Pause {
         limit,   ///< local time has reached the limit
-        on_time, ///< the next effect concerns links, queues or clocks, and must happen at its own time: call run() at
-                 ///< this time. Also returned after an effect on a link, because other devices may then act on the
-                 ///< core.
-        idle,    ///< no process can run before a timer is due or a link wakes one
+        on_time, ///< the next effect concerns links, queues or clocks, so call run() again at its time; also returned
+                 ///< after an effect on a link, because other devices may then act on the core
+        idle,    ///< no process can run before a timer is due or a link makes a process ready
         stopped  ///< see stopped()
     };
-    /// The actions of links that are possible before the core reaches the limit of run().
+    /// What links may do to the core before it reaches the limit of run().
     enum class Links {
         rest,          ///< nothing
-        take_accesses, ///< take accesses to the memory. Effects that depend on clocks happen at their own times, after
-                       ///< lose_accesses().
-        may_wake       ///< also make processes ready. Every effect on queues and clocks happens at its own time.
+        take_accesses, ///< use the memory, so that the core waits; effects that depend on clocks happen at their own
+                       ///< times, after lose_accesses()
+        may_wake       ///< also make processes ready; every effect on queues and clocks happens at its own time
     };
     /// Executes until an instruction would begin at `limit` or later. Effects at the limit or later do not happen.
-    /// REQUIRES: the present time is local_time(). If the core is idle, the present time may be later; then call
-    /// pass_idle_time() before run().
+    /// REQUIRES: the present time is local_time(). If the core was idle, call pass_idle_time() first.
     Pause run(HalfCycles limit, Links = Links::rest);
 
     /// Saves the state and the memory, so that go_back() can restore them.
@@ -86,7 +85,7 @@ public:
     /// Restores the saved state. REQUIRES: keep() was called, and neither let_go() nor go_back() was called after it.
     /// Since keep(), no link has acted on the core, and the core has not acted on a link.
     void go_back();
-    /// Handles timers and the end of a timeslice period if one of them was due before `then`.
+    /// Handles timers and the end of a timeslice period that were due before `then`.
     void attend_if_due(Time then) {
         if (local_ >= due_ && time_at(due_) < then && stopped_ == Stopped::nothing)
             attend();
@@ -100,32 +99,34 @@ public:
     Time local_time() const { return time_at(local_); }
     /// Returns the first half cycle at or after a time. REQUIRES: time >= time_at(0).
     HalfCycles half_cycle_at(Time) const;
-    /// Sets the local time after the core was idle. REQUIRES: the last run() ended idle, or none has begun.
+    /// Sets the local time after the core was idle. REQUIRES: the last run() returned Pause::idle, or run() was never
+    /// called.
     void pass_idle_time(Time now);
     /// Advances the local time by the accesses in which link engines moved this number of words from or to memory.
     void lose_accesses(std::uint64_t words);
     /// Returns when the first timer is due; Time::max() if none is.
     Time next_timer() const { return next_timer_; }
-    /// Returns the local time at which the core next handles its timers and timeslices.
+    /// Returns the local time at which the core handles its timers and timeslices next.
     HalfCycles next_attention() const { return due_ > local_ ? due_ : local_; }
 
-    /// From now on, runs ready processes in an order that is drawn from these random numbers. The instruction set
-    /// guarantees that ready processes run in the order in which they became ready, but occam does not.
+    /// From now on, runs ready processes in a random order. A transputer runs them in the order in which they became
+    /// ready, but occam does not promise this order. So a shuffled run can reveal a fault of a program.
     void shuffle(const RandomStream& lots) { shuffle_ = lots; }
-    /// Begins to execute code at MemStart, as at the end of a boot. The old Iptr and Wptr are passed in A and B, and
-    /// the address of the input channel in C.
+    /// Begins to execute code at MemStart, as at the end of a boot. Register A gets the old Iptr, B the old Wptr, and C
+    /// the address of the input channel.
     void boot(Word code_bytes, int input_channel);
-    /// Makes the process that waits at a link's channel ready: its transfer is done.
+    /// Makes the process that waits at a link's channel ready, because its transfer has ended.
     void transfer_ended(int channel);
     /// Handles a byte that arrived without a transfer. If a process waits for the byte in an ALT, makes the process
     /// ready.
     void byte_has_come(int channel, Time);
     /// Returns whether a process waits for a link.
     bool waits_for_links() const;
-    /// Returns whether a link may change at any moment what the core executes: a process of high priority waits for a
-    /// link, or the running process has used up its timeslice and continues only because no other process is ready.
+    /// Returns whether a link may change at any moment which process the core executes. In one case, a process of high
+    /// priority waits for a link. In the other, the running process has used up its timeslice, and continues only
+    /// because no other process is ready.
     bool may_be_interrupted() const;
-    /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core, unless addresses wrap.
+    /// Copy bytes for a link or a boot. Offsets outside of the memory stop the core if addresses do not wrap.
     void copy_from_memory(Word offset, std::span<std::uint8_t>);
     void copy_to_memory(Word offset, std::span<const std::uint8_t>);
     bool is_running() const { return running_; }
@@ -135,31 +136,31 @@ public:
     /// Makes the core stop at the next j, lend or wait, as the analyse pin does.
     void stop_for_analyse() { is_analysed_ = true; }
     /// Makes a core that has stopped ready for another boot, after which `testpranal` pushes TRUE. Saves the registers
-    /// of a process of low priority below MemStart. Keeps memory and queues, and stops the clocks.
+    /// of a low-priority process below MemStart. Keeps memory and queues, and stops the clocks.
     void reset_after_analyse();
 
     Stopped stopped() const { return stopped_; }
     /// Returns the instruction that set the Error flag, which stopped the core. REQUIRES: stopped() is by_error.
     const ErrorNote& error() const { return noted_[static_cast<std::size_t>(priority_)]; }
 
-    /// A process that an error stopped, while the core continued.
+    /// A process that stopped because of an error, while the core continued.
     struct StoppedProcess {
         ErrorNote error;
         int priority;
         Time at;
     };
-    /// Returns the processes that `stoperr` has stopped, and processes that stopped at an instruction for which the
-    /// table has an error text. The list has only the first 1,000 of these processes, in order of time.
+    /// Returns the processes that `stoperr` has stopped, and those that stopped at an instruction with an error text
+    /// (know_errors()), in order of time. The list has only the first 1,000 of these processes.
     std::span<const StoppedProcess> stopped_processes() const {
         return {stops_.data(), std::min(errors_, stops_.size())};
     }
     /// Returns the number of all such processes.
     std::size_t count_stopped() const { return errors_; }
-    /// Sets the table of error texts. REQUIRES: the table outlives the run.
+    /// Sets a compiler's table, which has texts for the errors of some instructions. REQUIRES: the table outlives the
+    /// run.
     void know_errors(const CodeLines& lines) { lines_ = &lines; }
 
-    /// Describes why the core stopped, with the instruction and its address: "the bytes at #80000104 are not an
-    /// instruction of a T800".
+    /// Returns why the core stopped, such as "the bytes at #80000104 are not an instruction of a T800".
     std::string why_stopped() const;
 
     Model model() const { return model_; }
@@ -189,16 +190,15 @@ public:
     /// Sets the registers of the running process, for tests and debuggers.
     void set_registers(const Registers&, int priority);
     void set_halts_on_error(bool halts) { halts_on_error_ = halts; }
-    /// Watches the instructions, for listings and debuggers. REQUIRES: the watcher only reads the core.
+    /// A watcher is called for each instruction, for listings and debuggers. REQUIRES: the watcher only reads the core.
     class Watcher {
     public:
         /// Called before an instruction is executed. `at`: address of the instruction's first byte, including its
         /// prefixes.
         virtual void begins(Word at) = 0;
-        /// Called after an instruction was executed and did not stop the core. Unless it is an instruction of the
-        /// scheduler, it is the instruction that began last. An instruction of the scheduler has its effect only now,
-        /// after its cycles; other processes may have interrupted it. `spent`: half cycles, without waits for a channel
-        /// or a time, and without interrupts.
+        /// Called after an instruction was executed, if it did not stop the core. Usually this is the instruction that
+        /// began last. However, other processes may interrupt an instruction of the scheduler, which has its effect
+        /// after its cycles. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
         virtual void executed(Word at, HalfCycles spent) = 0;
 
     protected:
@@ -210,8 +210,8 @@ public:
     /// A change of a process's activity.
     enum class ProcessChange : std::uint8_t {
         gets_processor,
-        becomes_ready,   ///< the process is in a queue, or interrupted
-        communicated,    ///< as `becomes_ready`, after a communication with the running process
+        becomes_ready,   ///< the process is in a queue of ready processes, or interrupted
+        communicated,    ///< the process becomes ready by a communication with the running process
         enables_channel, ///< the running process enables the channel in an ALT
         needs_no_wait,   ///< a guard of the running process's ALT is ready
         waits_in_alt,    ///< the process waits for the channels that it has enabled
@@ -221,7 +221,8 @@ public:
         stops, ///< the process has left the processor and waits for nothing, or the core has stopped
         ends
     };
-    /// Watches processes, for traces. REQUIRES: the watcher only reads the core.
+    /// A watcher of processes is called when they change their activity, for traces. REQUIRES: the watcher only reads
+    /// the core.
     class ProcessWatcher {
     public:
         /// Called when a process changes its activity, at the local time. `workspace` is the process's present
@@ -234,15 +235,15 @@ public:
     /// From now on, performs every action of the scheduler at its own time, with the same results. REQUIRES: `watcher`
     /// outlives the run.
     void watch_processes(ProcessWatcher* watcher) { process_watcher_ = watcher; }
-    /// Returns whether instructions or processes are watched. The core must not go back to a time before events that a
-    /// watcher has seen.
+    /// Returns whether a watcher is set. The core must then not go back, because the watcher has already seen its
+    /// actions.
     bool is_watched() const { return watcher_ != nullptr || process_watcher_ != nullptr; }
 
 private:
-    /// The reason why execute() has returned to the scheduler.
+    /// Why execute(), the loop over instructions, has returned to the scheduler.
     enum class Left : std::uint8_t {
         budget,
-        scheduling, ///< an instruction of the scheduler must have its effect later
+        scheduling, ///< the scheduler must perform the next instruction later
         performed,  ///< an instruction of the scheduler had its effect, after which another process may run
         timeslice,
         halt,
@@ -289,11 +290,11 @@ private:
     void give_way();
     void enqueue(Word process);
     void end_process();
-    /// A communication of the running process at a channel, and the process that waits there if the channel is a word
-    /// of memory.
+    /// A communication of the running process at a channel. If the channel is a word of memory, `partner` is the
+    /// process that waits there.
     struct Communication {
         Word channel, address, bytes;
-        Word partner = not_a_process; ///< the descriptor of the process that waits
+        Word partner = not_a_process; ///< workspace and priority of the process that waits
         Word partner_pointer = 0;     ///< address of its bytes, or its state if it is in an ALT
         bool meets_process() const { return partner != not_a_process && !meets_alternative(); }
         bool meets_alternative() const;
@@ -349,8 +350,8 @@ private:
 
     // alternation.cpp: ALT, clocks and timers
     bool is_ready(Word channel);
-    /// Returns a length that no proper queue exceeds. A longer queue is a circle that the program wrote into its
-    /// memory.
+    /// Returns the largest possible length of a queue. A queue that seems longer is a circle, which a wrong program
+    /// wrote into the memory.
     Word longest_queue() const { return memory_.size() / 4; }
     void enable_channel();
     void disable_channel();
@@ -391,7 +392,7 @@ private:
 
     CoreState kept_;
     const CodeLines* lines_ = nullptr;
-    /// Only the first `errors_` entries count: the core may have gone back to a time before the others.
+    /// Only the first `errors_` entries count: go_back() does not remove entries.
     std::vector<StoppedProcess> stops_;
     Watcher* watcher_ = nullptr;
     ProcessWatcher* process_watcher_ = nullptr;

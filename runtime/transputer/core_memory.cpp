@@ -13,8 +13,8 @@ namespace placedpar::transputer {
 
 // Memory
 
-/// Returns whether an interval of the memory can be used. If addresses wrap, replaces an offset outside of the memory
-/// by the offset inside to which it wraps.
+/// Returns whether a program may use an interval of addresses. If the interval is not in the memory and addresses wrap
+/// round, replaces `offset` by the offset to which it wraps.
 bool Core::reaches(Word& offset, Word bytes) const {
     if (memory_.holds(offset, bytes))
         return true;

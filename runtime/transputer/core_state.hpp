@@ -12,12 +12,11 @@
 
 namespace placedpar::transputer {
 
-/// Half a cycle of the processor's clock: the unit of local time. A word of code that is fetched from outside of the
-/// chip costs half of the additional cycles of an access.
+/// A number of half cycles of the processor's clock, the unit of time in a core. Half cycles are needed for code
+/// outside of the chip: fetching a word of code costs half the additional cycles of an access.
 using HalfCycles = std::uint64_t;
 
-/// The registers that a process can see. After a change of process, only the registers that the instruction set
-/// preserves matter.
+/// The registers that a process can see. A, B and C are undefined after a change of process, as on the machine.
 struct Registers {
     Word instruction = most_negative; ///< Iptr, an address
     Word workspace = most_negative;   ///< Wptr, an address
@@ -35,18 +34,19 @@ struct ErrorNote {
     Word a = 0, b = 0, c = 0;
 };
 
-/// An instruction of the scheduler whose cycles pass before its effect.
+/// An instruction that changes queues or uses links. It is interruptible: its cycles pass before its effect.
 struct Pending {
     Operation operation;
     HalfCycles left;
-    bool begun = true; ///< false if its cycles are not known yet, because they depend on the time at which it begins
-    // The following members are for a watcher.
+    bool begun = true; ///< false: its cycles are not known yet, because they depend on the time at which it begins
+    // The following members are for a Core::Watcher.
     Word at = 0;
     HalfCycles spent = 0; ///< the cycles known so far
 };
 
-/// The state of a core, without its memory: registers, queues, flags and clocks. A copy is saved so that the core can
-/// return to it. The members are named as members of the core, because the core is derived from this struct.
+/// The state of a core, that is, an emulated processor, without its memory: registers, queues, flags and clocks. A core
+/// executes ahead of the simulation, and saves a copy of its state so that it can return. Core is derived from this
+/// struct, so the members have the names of members.
 struct CoreState {
     Registers registers_;
     int priority_ = 1;
@@ -60,8 +60,8 @@ struct CoreState {
     std::array<ErrorNote, 2> noted_{}; ///< for each priority, the instruction that has set its Error
     std::size_t errors_ = 0;           ///< number of processes that errors stopped
     Fpu fpu_, interrupted_fpu_;
-    HalfCycles fpu_free_ = 0;    ///< local time at which the floating-point unit has finished
-    std::array<Word, 3> move_{}; ///< rows, stride of the target, stride of the source: move2dinit
+    HalfCycles fpu_free_ = 0;    ///< time at which the floating-point unit has finished
+    std::array<Word, 3> move_{}; ///< set by move2dinit: rows, stride of the target, stride of the source
 
     std::array<Word, 2> front_{not_a_process, not_a_process}, back_{not_a_process, not_a_process};
     std::optional<RandomStream> shuffle_; ///< set if the queues are shuffled

@@ -31,7 +31,7 @@ std::string print_instruction_pointer(Word instruction, const CodeLines& lines) 
     return print_address(instruction) + (place.empty() ? "" : " " + place);
 }
 
-/// Prints processes that are linked by a word below their workspaces.
+/// Prints a queue of processes. A word below each workspace holds the address of the next workspace.
 class QueuePrinter {
 public:
     QueuePrinter(const Core& core, const CodeLines& lines) : core_(core), lines_(lines) {}

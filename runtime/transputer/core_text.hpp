@@ -5,7 +5,7 @@
 
 #include <string>
 
-/// The state of a core as lines of text.
+/// Prints the state of a core, that is, the processor of an emulated transputer, as lines of text.
 namespace placedpar::transputer {
 
 /// Returns a word in hexadecimal and as a signed number.
@@ -17,7 +17,8 @@ std::string print_registers(const Core&);
 /// Returns the queues of ready processes and of timers, the words of links where processes wait, and the process that
 /// is interrupted.
 std::string print_queues(const Core&, const CodeLines&);
-/// Returns the text of --analyse for a node: registers, flags, queues, and the processes that wait.
+/// Returns the text that the option --analyse prints for a transputer: registers, flags, queues, and the processes that
+/// wait.
 std::string print_analysis(const Core&, const CodeLines&);
 
 } // namespace placedpar::transputer

@@ -74,7 +74,7 @@ bool DecodedCode::fill(Block& block, Word address, const Bytes& bytes) {
         if (description.unit != Unit::scheduler)
             after += 2 * cycles_of(read.operation, timing_.model);
         else
-            ++extra; // the instruction must not begin in the half cycle in which links and events act
+            ++extra; // because the instruction must not begin in the half cycle in which links and events act
         extra += 2u * description.extra_cycles + std::uint32_t{description.accesses} * timing_.penalty;
         Word operand = read.operand;
         if (branches_by_operand(read.operation))

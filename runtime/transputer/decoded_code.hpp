@@ -15,39 +15,37 @@ namespace placedpar::transputer {
 struct Entry {
     Operation operation;
     std::uint8_t length; ///< bytes, with prefixes
-    std::uint16_t after; ///< half cycles of the block up to the end of this instruction, without additional half cycles
-                         ///< of effects
-    /// The target of a branch, the operand of another direct function, or the address of the instruction after an
-    /// operation. An operand that counts words is multiplied by 4.
+    std::uint16_t after; ///< half cycles from the start of the block to the end of this instruction, as far as they are
+                         ///< known in advance
+    /// The target of a branch, or the operand of another direct function. For an operation, the address of the next
+    /// instruction. An operand that counts words is multiplied by 4.
     Word operand;
 };
 
-/// Decoded instructions that are executed one after the other. The last entry leads out of the block. The members are
-/// in the order of use.
+/// Decoded instructions that are executed one after the other. The last entry leads out of the block.
 struct Block {
     std::unique_ptr<Entry[]> entries;
-    std::uint32_t most = 0;             ///< upper bound for the half cycles of the block
+    std::uint32_t most = 0;             ///< upper bound for the time of the block, in half cycles
     Word first_word = 0, last_word = 0; ///< offsets of the first and last word of code
     std::uint32_t instructions = 0;
-    std::uint16_t first_fetch = 0;           ///< half cycles if the first word must be fetched
+    std::uint16_t first_fetch = 0;           ///< additional half cycles if the first word must be fetched
     Word start = 0;                          ///< address of its first byte
     Word bytes = 0;                          ///< number of bytes of its instructions
     std::unique_ptr<std::uint32_t[]> bounds; ///< for each instruction: upper bound for the half cycles up to its end
     std::uint32_t room = 0;                  ///< number of instructions for which entries and bounds are allocated
 };
 
-/// The properties of a node that decoding needs.
+/// The properties of a transputer that decoding needs.
 struct CodeTiming {
     Model model;
     Word bytes_on_chip;
     HalfCycles16 fetch;   ///< half cycles of a word of code that is fetched from outside of the chip
-    HalfCycles16 penalty; ///< half cycles of an access to data outside of the chip, beyond the half cycles of an access
-                          ///< on the chip
+    HalfCycles16 penalty; ///< additional half cycles of an access to data outside of the chip
 };
 
-/// The executed code of a node, in decoded form. Code is decoded when it is first executed, and discarded when the
-/// program writes to it. Decoded code takes at most about as many bytes of the host's memory as the node's memory has.
-/// At this limit, all decoded code is discarded.
+/// The code that an emulated transputer executes, in decoded form, so that each instruction is decoded only once. Code
+/// is decoded when it is first executed, and discarded when the program writes to it. Decoded code takes at most about
+/// as many bytes of the host's memory as the transputer's memory has. At this limit, all decoded code is discarded.
 class DecodedCode {
 public:
     DecodedCode(NodeMemory&, const CodeTiming&);
@@ -61,22 +59,25 @@ public:
                     return block;
         return decode(address);
     }
-    /// Returns a block with the first instructions of a block: those that certainly end within this number of half
-    /// cycles, but at least the first instruction. The result is valid until the next call.
+    /// Returns a block with the first instructions of the given block: all that certainly end within this number of
+    /// half cycles, and at least one. The result is valid until the next call.
     Block* front_of(const Block&, std::uint64_t half_cycles);
-    /// Discards the blocks that have bytes in an interval. REQUIRES: the memory holds the interval.
+    /// Discards the blocks with code in an interval of memory, which the program writes. REQUIRES: the memory holds the
+    /// interval.
     void forget(Word offset, Word bytes) {
         if (is_decoded(offset, bytes)) // often false, because data often share a page with code
             forget_decoded(offset, bytes);
     }
-    /// Returns a block with the one instruction at an address outside of the memory, which wraps. Returns null if the
-    /// instruction crosses an end of the memory. The result is valid until the next call of a function.
+    /// Returns a block with the instruction at an address beyond the end of the memory, where addresses wrap round.
+    /// Returns null if the instruction crosses an end of the memory. The result is valid until the next call of a
+    /// function.
     Block* at_wrapped(Word address);
-    /// Frees the discarded blocks, or keeps them for later use. Call this function when none of them is being executed.
+    /// Frees the discarded blocks, or keeps their memory for later use. REQUIRES: none of these blocks is being
+    /// executed.
     void sweep();
     bool must_sweep() const { return !forgotten_.empty(); }
-    /// Returns whether a byte belongs to instructions that were decoded, and has not been written to since. The result
-    /// may also be true if the byte was written to while its page had no decoded block.
+    /// Returns whether a byte belongs to instructions that were decoded. If the byte was written to afterwards, the
+    /// result is false, except if its page had no decoded block at that time.
     bool was_decoded(Word offset) const {
         const auto& decoded = decoded_[offset / NodeMemory::page_bytes];
         return decoded && (*decoded)[offset % NodeMemory::page_bytes];

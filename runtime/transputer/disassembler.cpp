@@ -11,9 +11,8 @@ using Bytes = std::span<const std::uint8_t>;
 
 bool is_text(std::uint8_t byte) { return (byte >= ' ' && byte < 0x7f) || byte == '\n' || byte == '\r' || byte == '\t'; }
 
-/// Returns whether an assembler may have made this instruction: no other prefix follows nfix, and the instruction has
-/// at most as many prefixes as a word needs. Each pfix 0 at the beginning is ignored, because compilers pad
-/// instructions with it.
+/// Returns whether an assembler may have made this instruction. No other prefix follows nfix, and there are at most as
+/// many prefixes as a word needs. Each pfix 0 at the beginning is ignored, because compilers pad instructions with it.
 bool is_proper(Bytes instruction) {
     while (instruction.size() > 1 && instruction.front() == 0x20)
         instruction = instruction.subspan(1);
@@ -101,7 +100,7 @@ private:
         }
     }
 
-    /// Returns whether the address that ldpi loads is stored as the address at which a PAR continues.
+    /// Returns whether the program stores the address that ldpi has loaded as the address at which a PAR continues.
     bool stores_continuation(Word next) const {
         constexpr std::uint8_t stl_0 = 0xd0;
         return next < size() && bytes_[next] == stl_0;
@@ -132,7 +131,7 @@ private:
         drop_islands(begin, end);
     }
 
-    /// Returns the position of the next byte that is a target of code reached by follow(), or the end. An instruction
+    /// Returns the position of the next byte to which the code that follow() reached refers, or the end. An instruction
     /// or data begins at this byte.
     Word next_reference(Word at, Word end) const {
         end = std::min(end, longest_end(at));
@@ -141,8 +140,8 @@ private:
         return at;
     }
 
-    /// Returns the length of text that begins here: at least five characters that are not proper code. Returns 0 if no
-    /// text begins here.
+    /// Returns the length of the text that begins here, or 0 if none begins. A text has at least five characters, and
+    /// does not look like proper code.
     Word text_length(Word begin, Word at, Word end) const {
         if (at > begin && is_text(bytes_[at - 1]))
             return 0; // the text was examined from its beginning
@@ -225,7 +224,7 @@ private:
     Bytes bytes_;
     Model model_;
     std::vector<Role> roles_;
-    std::vector<bool> is_referred_to_; ///< for each byte, whether it is a target of code reached by follow()
+    std::vector<bool> is_referred_to_; ///< for each byte, whether the code that follow() reached refers to it
 };
 
 } // namespace

@@ -10,39 +10,38 @@
 
 namespace placedpar::transputer {
 
-/// The kind of some bytes: code that is reached from an entry point; bytes that are not reached but look like code;
-/// other bytes.
+/// The kind of some bytes. `code` is reached from an entry point; `possible_code` is not reached, but looks like code.
 enum class Content : std::uint8_t { code, possible_code, data };
 
 /// An instruction or some bytes of data.
 struct CodeLine {
-    Word at = 0; ///< number of the first byte, from 0 on
+    Word at = 0; ///< position of the first byte, counted from 0
     Content content = Content::data;
     CodedInstruction instruction{}; ///< for data, only the length is set
-    /// Number of the byte to which the instruction leads or refers, if the code shows it. The constants before lend,
-    /// startp and ldpi are taken into account.
+    /// Position of the byte to which the instruction leads or refers, if the code shows it. For lend, startp and ldpi,
+    /// the constants loaded before them show it.
     std::optional<Word> target{};
-    Operation selected = Operation::unknown; ///< operation that fpentry selects after a constant
-    bool begins_block = false;               ///< execution may come here from a line other than the line before
+    Operation selected = Operation::unknown; ///< for fpentry: the operation that the constant loaded before it selects
+    bool begins_block = false;               ///< execution may come here from elsewhere than the line before
 };
 
-/// Finds where an instruction leads or what it selects. `before`: the lines that are executed before the instruction,
-/// the last line first. Lines of data have no effect.
+/// Sets `target` and `selected` of a line. `before`: the lines that are executed before the instruction, the last line
+/// first. Lines of data have no effect.
 void find_target(CodeLine&, const std::array<CodeLine, 2>& before);
 
-/// Follows code from its entry points, then looks for code in the rest. In the rest, bytes are data if they do not
-/// decode, are text or zeros, or have prefixes that no assembler makes (nfix before another prefix). REQUIRES: at most
-/// 2 Gbyte.
+/// Disassembles bytes: follows the code from its entry points, then looks for code in the rest. There, bytes are data
+/// if they do not decode, are text or zeros, or have prefixes that INMOS's assemblers do not make (nfix before another
+/// prefix). REQUIRES: at most 2 Gbyte.
 std::vector<CodeLine> disassemble(std::span<const std::uint8_t>, std::span<const Word> entries, Model);
 
-/// Published cycles of an instruction with its prefixes, with code and data on the chip.
+/// Published cycles of an instruction, including its prefixes, with code and data on the chip.
 struct CycleRange {
     unsigned least = 0;
-    std::optional<unsigned> most = 0; ///< no value: it depends on the length of a message
+    std::optional<unsigned> most = 0; ///< no value if it depends on the length of a message
 };
 /// Returns the cycles of an instruction. For an operation on reals, returns the cycles of the floating-point unit,
-/// although the integer unit can continue meanwhile. If they depend on the length of the reals, returns the cycles for
-/// single length.
+/// although the integer unit can continue meanwhile. For an operation on reals of either length, returns the cycles for
+/// REAL32.
 CycleRange published_cycles(const CodedInstruction&, Model);
 
 /// Returns whether an instruction is a branch or the end of a process, so that execution may not continue after it.

@@ -8,11 +8,11 @@
 #include <tuple>
 #include <utility>
 
-// Each instruction jumps to the next instruction through the address of a label (computed goto), which is an extension
-// of GCC and Clang.
+// This file has the loop that executes instructions. Each instruction jumps to the next instruction through the address
+// of a label (computed goto), an extension of GCC and Clang.
 #pragma GCC diagnostic ignored "-Wpedantic"
 
-// GCC would move common parts of instructions before the jumps between them, and would then run out of host registers.
+// Without this option, GCC would merge common parts of instructions, and would then run out of the host's registers.
 #if defined(__GNUC__) && !defined(__clang__)
 #define PLACEDPAR_KEEPS_REGISTERS [[gnu::optimize("no-tree-pre", "no-gcse")]]
 #else
@@ -21,8 +21,8 @@
 
 namespace placedpar::transputer {
 
-// These are the macros that the effects in instructions.inc use. `spent` is the number of half cycles of the preceding
-// blocks, plus the half cycles that effects have added in this block.
+// These are the macros that the effects in instructions.inc use. `spent` counts half cycles: those of the blocks before
+// this block, and those that effects have added in this block.
 
 #define OPERAND (entry->operand)
 #define NEXT_ADDRESS (entry->operand)
@@ -123,9 +123,9 @@ namespace placedpar::transputer {
         STORE((address) + 4, stored_both >> 32);                                                                       \
     } while (false)
 
-// These macros are for instructions of the floating-point unit. The integer unit continues one cycle after it has
-// passed such an instruction on. At the next floating-point instruction it waits until the floating-point unit is free;
-// at a RESULT it also waits for the result.
+// These macros are for instructions of the floating-point unit. The integer unit passes such an instruction on, and
+// continues after one cycle. At the next floating-point instruction it waits until the floating-point unit is free. At
+// a RESULT it also waits for the result.
 #define AWAIT_REALS(own_cycles)                                                                                        \
     const HalfCycles begins = local_ + spent + entry->after - 2;                                                       \
     if (fpu_free_ > begins)                                                                                            \
@@ -148,8 +148,8 @@ namespace placedpar::transputer {
         goto* labels[static_cast<std::size_t>(entered)];                                                               \
     } while (false)
 
-// This macro is for instructions of the scheduler. `function` performs the instruction if nothing can act on the core
-// before the instruction ends.
+// This macro is for instructions of the scheduler. `function` performs the instruction now if nothing can act on the
+// core before the instruction ends.
 #define AT_ONCE(function, operation_)                                                                                  \
     {                                                                                                                  \
         Registers r{entry->operand, W, A, B, C, registers_.error};                                                     \
@@ -274,7 +274,8 @@ j_zero:
     if (!breaks_at_j0_)
         BRANCH_OR_GIVE_WAY(OPERAND);
     next = entry->operand;
-    spent += entry->after - 2 * description_of(Operation::j).cycles; // ours: this instruction takes as long as `break`
+    spent += entry->after - 2 * description_of(Operation::j).cycles; // our choice: this instruction takes as long as
+                                                                     // `break`
     begun_ = Operation::break_;
     left = Left::scheduling;
     goto leave;
@@ -320,8 +321,7 @@ std::uint64_t Core::instructions_after(const Block& block, const Entry& entry) {
     return block.instructions - static_cast<std::uint64_t>(&entry - block.entries.get()) - 1;
 }
 
-/// Sets Error. Notes the registers as they were before the instruction, unless an earlier error has not been handled
-/// yet.
+/// Sets Error. Notes the registers as they were before the instruction, if Error was clear.
 [[gnu::cold, gnu::noinline]] void Core::note_error(const Block& block, const Entry& entry, ErrorNote found) {
     if (std::exchange(registers_.error, true))
         return;
@@ -344,8 +344,8 @@ void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word b
     const Word begin = NodeMemory::offset_of(block.start);
     if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
-    // The rest of this block may have changed, so the block now ends after this instruction. The block may be a copy of
-    // the beginning of a discarded block.
+    // The instruction has written to its own page, so the rest of this block may have changed. The block now ends after
+    // this instruction. (It may be a copy of the beginning of a discarded block.)
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};

@@ -31,7 +31,7 @@ std::optional<int> signed_number(std::string_view text) {
     return wrong == std::errc{} && end == digits.data() + digits.size() ? std::optional(number) : std::nullopt;
 }
 
-/// Returns the number that stands for a text between two braces, such as a-1 or w+12. Returns nullopt if the text has
+/// Returns the number for which a text between braces stands, such as {a-1} or {w+12}. Returns nullopt if the text has
 /// no meaning.
 std::optional<std::int64_t> number_for(std::string_view text, const Core& core, const ErrorNote& error) {
     if (text == "ba")
@@ -69,7 +69,7 @@ std::string with_numbers(std::string_view text, const Core& core, const ErrorNot
     return result;
 }
 
-/// Returns the text for an instruction for which the table has no text.
+/// Returns the text for an instruction for which the compiler's table has no text.
 std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote& error) {
     switch (instruction.operation) {
     case Operation::add: return "overflow: {b} + {a}";
@@ -93,8 +93,8 @@ std::string_view usual_text(const CodedInstruction& instruction, const ErrorNote
 
 constexpr Word bytes_of_call = 16;
 
-/// Returns the call of a routine, if the text is one such as "called from {w+12}". The number in the text says which
-/// word above the workspace holds the return address.
+/// Returns the call of a routine if the text is of the form "called from {w+12}". The number states which word above
+/// the workspace holds the return address.
 std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, const ErrorNote& error) {
     constexpr std::string_view begin = "called from {w";
     if (!text.starts_with(begin) || !text.ends_with('}'))
@@ -105,8 +105,8 @@ std::optional<ErrorNote> call_named_by(std::string_view text, const Core& core, 
     return returns_to ? std::optional<ErrorNote>({static_cast<Word>(*returns_to), at + bytes_of_call}) : std::nullopt;
 }
 
-/// Follows the calls that texts name. The number of calls is limited, because a program may write a circle into its
-/// memory.
+/// Returns the call that the error's text names. If the text of this call names another call, follows the calls, up to
+/// a limit, because a wrong program may form a circle.
 ErrorNote follow_calls(const Core& core, ErrorNote error, const CodeLines& lines) {
     constexpr int most_calls = 16;
     for (int i = 0; i < most_calls; ++i)

@@ -11,10 +11,10 @@ namespace placedpar::transputer {
 
 namespace {
 
-/// The NaNs that operations make, as REAL32s; a REAL64 extends the fraction by zeros. INMOS's table was not available.
-/// The values come from the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F)
-/// compared with the results of a T801. INMOS's library for the T414 makes equal NaNs for 0/0, 0 * infinity and
-/// infinity - infinity.
+/// The NaNs that operations make, as REAL32s. In a REAL64 zeros follow the fraction. We did not have INMOS's table. The
+/// values come from the public emulator pahihu/t4 (fparithmetic.c), whose results a validation suite (TVS1F) compared
+/// with the results of a T801. INMOS's library for the T414 confirms the NaNs for 0/0, 0 * infinity and infinity -
+/// infinity.
 enum class MadeNan : std::uint32_t {
     zero_by_zero = 0x7FC00000,
     infinity_by_infinity = 0x7FA00000,
@@ -27,14 +27,14 @@ enum class MadeNan : std::uint32_t {
     quotient_without_remainder = 0x7F801000 ///< left in register FB
 };
 
-/// A result before it is put into a register.
+/// The result of an operation, and whether the operation sets FPError.
 template <typename T>
 struct RealResult {
     RealPattern<T> pattern;
     bool error = false;
 };
 
-/// left op right, for rounded().
+/// The function that computes left op right, as an argument of rounded().
 struct Arithmetic {
     RealOperation operation;
 
@@ -46,7 +46,7 @@ struct Arithmetic {
 
 #ifdef FE_OVERFLOW
 
-/// Sets the host's rounding mode for the life of this object, and notices overflow.
+/// Sets the rounding mode of the host's processor for the life of this object, and notices overflow.
 class HostRounding {
 public:
     explicit HostRounding(Rounding mode) {
@@ -61,8 +61,8 @@ public:
     bool overflow() const { return std::fetestexcept(FE_OVERFLOW) != 0; }
 };
 
-/// Returns an operation's result on the host in a rounding mode; `error` in the result means overflow. Compilers do not
-/// know that the mode matters: volatile operands and results keep the operation between the two changes of the mode.
+/// Computes an operation on the host's processor in a rounding mode. In the result, `error` means overflow. The
+/// operands and the result are volatile, so that the compiler does not move the operation out of the scope of `host`.
 template <typename T, typename Operand, typename Operation>
 [[gnu::noinline]] RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
     volatile Operand first = left, second = right;
@@ -76,8 +76,8 @@ template <typename T, typename Operand, typename Operation>
 
 // WebAssembly rounds to nearest, and has no flag for overflow. There, a long double has 113 bits of fraction.
 
-/// Returns what a sum lacks that was rounded to a long double; 0 for other operations. Their results are longer than a
-/// double wherever they differ from it.
+/// Returns the rounding error of a sum of long doubles. Returns 0 for other operations, because a long double shows
+/// whether their results are longer than a double.
 template <typename Operation>
 long double rest_of_sum(const Operation&, long double, long double, long double) {
     return 0;
@@ -89,7 +89,7 @@ inline long double rest_of_sum(const Arithmetic& of, long double left, long doub
     return (left - (sum - rounded_part)) + (added - rounded_part);
 }
 
-/// Returns the sign of a sum that is exactly zero, in the mode `minus`: it is negative unless both terms are +0.
+/// Returns whether a sum that is exactly zero is -0 in the mode `minus`. It is +0 only if both terms are +0.
 template <typename Operation>
 bool is_negative_zero(const Operation&, long double, long double) {
     return false;
@@ -100,8 +100,8 @@ inline bool is_negative_zero(const Arithmetic& of, long double left, long double
     return std::signbit(left) || std::signbit(right) != (of.operation == RealOperation::subtract);
 }
 
-/// Returns an operation's result in a rounding mode; error means overflow. Moves the result nearest to the exact one to
-/// its neighbour if the exact result is on the other side.
+/// Computes an operation in a rounding mode. In the result, `error` means overflow. Begins with the result rounded to
+/// nearest. If the mode requires the neighbour of this result, returns the neighbour.
 template <typename T, typename Operand, typename Operation>
 RealResult<T> rounded(Rounding mode, Operand left, Operand right, Operation operation) {
     const T nearest = T(operation(left, right));
@@ -144,7 +144,7 @@ RealPattern<T> greater_nan(RealPattern<T> left, RealPattern<T> right) {
     return !right.nan() || (left.nan() && left.fraction() >= right.fraction()) ? left : right;
 }
 
-/// Calls a function with a value of the host's type for this length.
+/// Calls a function with a float for REAL32, or with a double for REAL64.
 template <typename Function>
 auto in_type_of(Length length, Function function) {
     return length == Length::real32 ? function(float{}) : function(double{});
@@ -212,8 +212,8 @@ RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     return {exact.zero() ? exact.with_sign(left.negative()) : exact, right.infinite()};
 }
 
-/// Returns the quotient that belongs to a remainder. It is computed in double, with an error below 0.5 for the
-/// operands that fpremfirst accepts.
+/// Returns the quotient that belongs to a remainder. It is computed in double, with an error below 0.5 before rounding
+/// for the operands that fpremfirst accepts.
 template <typename T>
 RealPattern<T> quotient(RealPattern<T> left, RealPattern<T> right, RealPattern<T> remainder) {
     if (remainder.nan())
@@ -272,8 +272,8 @@ double value_with_whole_fraction(const Real& real) {
     return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
 }
 
-/// Returns the result of the operation, rounded once to a REAL32. The intermediate REAL64 is rounded to odd: its last
-/// bit is set if it is not exact.
+/// Returns the result of the operation on REAL32s with long fractions (fpunoround), rounded once to a REAL32. To avoid
+/// a double rounding, the intermediate REAL64 is rounded to odd: its last bit is set if it is not exact.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) { return rounded<double>(each, first, second, Arithmetic{operation}); };

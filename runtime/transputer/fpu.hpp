@@ -9,8 +9,8 @@ namespace placedpar::transputer {
 enum class Length : std::uint8_t { real32, real64 };
 
 struct Real {
-    /// A REAL32 is in the lower half. The upper half is 0, but after fpunoround it has the 29 bits of the fraction
-    /// beyond a REAL32's 23. The unit keeps these bits, but a store drops them.
+    /// A REAL32 is in the lower half. The upper half is 0, except after fpunoround. It then has the 29 bits of a
+    /// REAL64's fraction that a REAL32 lacks; a store drops these bits.
     std::uint64_t bits = 0;
     Length length = Length::real32;
 
@@ -21,7 +21,7 @@ enum class Rounding : std::uint8_t { nearest, zero, plus, minus };
 
 enum class RealOperation : std::uint8_t { add, subtract, multiply, divide };
 
-/// Returns left op right in the host's rounding mode.
+/// Returns left op right, computed by the host's processor in its rounding mode.
 template <typename T>
 T computed_on_host(RealOperation operation, T left, T right) {
     switch (operation) {
@@ -33,16 +33,16 @@ T computed_on_host(RealOperation operation, T left, T right) {
     return 0;
 }
 
-/// The floating-point unit of a T800 or T805: the stack of FA, FB and FC, the rounding mode and FPError. It has a
-/// method for each operation, with the operation's name. A method gives the result and the flag; the caller accounts
-/// for its time and its effect on the integer stack. The unit is a plain value: an interrupt saves it by a copy.
+/// The floating-point unit of a T800 or T805: the stack of FA, FB and FC, the rounding mode and FPError. Each operation
+/// has a method with its name, which changes the stack and the flag. The caller accounts for the time and for the
+/// effect on the integer stack. The object is a plain value: an interrupt saves the unit by a copy.
 ///
-/// Rules (INMOS, "Transputer instruction set: a compiler writer's guide"; arithmetic follows IEEE 754):
-/// - Each operation rounds in the current mode, to the precision of its result. Afterwards the mode is nearest, except
-///   after the four operations that set the mode.
+/// The rules are those of INMOS, "Transputer instruction set: a compiler writer's guide". Arithmetic follows IEEE 754.
+/// - Each operation rounds in the current mode, to the precision of its result. Each operation sets the mode to
+/// nearest, except the four operations that set another mode.
 /// - FPError is set by a NaN or infinity as an operand, an invalid operation, a division by 0, and overflow. Loads,
-///   stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Nothing but fptesterror and
-///   fpuclearerror clears it.
+/// stores, exchanges and the tests fpnan, fpordered and fpnotfinite never set it. Only fptesterror and fpuclearerror
+/// clear it.
 /// - If one operand is a NaN, this NaN is the result. If both are NaNs, the NaN with the larger fraction is the result,
 ///   or FB if the fractions are equal. The sign follows the operation: fpsub negates FA's sign, fpmul and fpdiv
 ///   multiply the signs.
@@ -59,20 +59,20 @@ public:
     Rounding rounding() const { return rounding_; }
     bool error() const { return error_; }
 
-    /// These push a real with the given bits, which were read from memory. The indexed loads use them, too.
+    /// These push a real that the caller has read from memory. They serve the indexed loads, too.
     void fpldnlsn(std::uint32_t bits) { push({bits, Length::real32}); }
     void fpldnldb(std::uint64_t bits) { push({bits, Length::real64}); }
     void fpldzerosn() { push({0, Length::real32}); }
     void fpldzerodb() { push({0, Length::real64}); }
 
-    /// These combine FA with an operand from memory, without a push.
+    /// These add to FA, or multiply FA by, an operand that the caller has read from memory.
     void fpldnladdsn(std::uint32_t bits) { combine(RealOperation::add, a_, {bits, Length::real32}); }
     void fpldnladddb(std::uint64_t bits) { combine(RealOperation::add, a_, {bits, Length::real64}); }
     void fpldnlmulsn(std::uint32_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real32}); }
     void fpldnlmuldb(std::uint64_t bits) { combine(RealOperation::multiply, a_, {bits, Length::real64}); }
 
-    /// These return the bits to store. fpstnli32 stores the largest integer up to FA, modulo 2^32, and 0 for a NaN or
-    /// infinity. Programs use it to get the two halves of a long integer.
+    /// These pop FA and return the bits to store. fpstnli32 returns the largest integer up to FA, modulo 2^32; for a
+    /// NaN or infinity it returns 0. Programs use fpstnli32 to get the two halves of a long integer.
     std::uint32_t fpstnlsn() { return std::uint32_t(pop().bits); }
     std::uint64_t fpstnldb() { return pop().bits; }
     std::uint32_t fpstnli32();
@@ -86,18 +86,18 @@ public:
     void fpmul() { combine_two(RealOperation::multiply); }
     void fpdiv() { combine_two(RealOperation::divide); }
 
-    /// FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The remainder is exact. The quotient is
-    /// right if FB's exponent is at most 20 (REAL64: 30) above FA's; beyond that, the machine's quotient is undefined,
-    /// and here it is the rounded quotient. The first step computes the whole remainder. Both functions return TRUE for
-    /// register A, because the remainder is complete. INMOS's occam compiler and mathematical library emit `fpremfirst;
-    /// eqc 0; cj done; more: fpremstep; cj more; done:`, so the emitted code executes no further step.
+    /// These compute the remainder: FA := FB - q * FA, FB := q, where q is the integer nearest to FB / FA. The
+    /// remainder is exact. The quotient is right if FB's exponent is at most 20 (REAL64: 30) above FA's. Otherwise the
+    /// machine's quotient is undefined, and here it is the rounded quotient. The real machine needs several steps. Here
+    /// the first step computes the whole remainder, and both functions return TRUE (complete) for register A. Then the
+    /// usual code `fpremfirst; eqc 0; cj done; more: fpremstep; cj more; done:` executes no further step.
     bool fpremfirst();
     bool fpremstep() { return finished(true); }
 
-    /// These are comparisons: FB > FA, FB = FA. They pop both operands, and return FALSE if either is a NaN.
+    /// These compare: FB > FA, FB = FA. They pop both operands, and return FALSE if one of them is a NaN.
     bool fpgt();
     bool fpeq();
-    /// These are tests of FA, and of FA and FB for fpordered. They pop nothing.
+    /// These test FA; fpordered tests FA and FB. They pop nothing.
     bool fpordered();
     bool fpnan();
     bool fpnotfinite();
@@ -115,7 +115,7 @@ public:
     void fpurp() { rounding_ = Rounding::plus; }
     void fpurm() { rounding_ = Rounding::minus; }
 
-    /// These push integers. Only fpi32tor32 rounds.
+    /// These push an integer as a real. Only fpi32tor32 rounds.
     void fpi32tor32(std::uint32_t word);
     void fpi32tor64(std::uint32_t word) { push_exactly(double(std::int32_t(word))); }
     void fpb32tor64(std::uint32_t word) { push_exactly(double(word)); }
@@ -129,10 +129,9 @@ public:
 
     void fpur32tor64();
     void fpur64tor32();
-    /// Makes FA a REAL32 that keeps the whole fraction of a REAL64, but only the lower bits of the exponent. Sets no
-    /// flag. The next operation computes with the whole fraction: INMOS's code adds the halves of an INT64 that way,
-    /// and so rounds once. (If the fraction were cut, INMOS's code would give wrong results on a T800, but right
-    /// results on a T414.)
+    /// Makes FA, a REAL64, a REAL32 that keeps the whole fraction, but only the lower bits of the exponent. Sets no
+    /// flag. The next operation computes with the whole fraction. INMOS's code uses this to add the halves of an INT64
+    /// with a single rounding.
     void fpunoround();
 
     void fpuabs();
@@ -140,7 +139,8 @@ public:
     void fpuexpdec32() { scale(0x1p-32F); }
     void fpumulby2() { scale(2); }
     void fpudivby2() { scale(0.5F); }
-    /// The first step sets FA to its square root. The other steps only set the mode to nearest.
+    /// The first step sets FA to its square root. The other steps of the real machine's algorithm only set the mode to
+    /// nearest.
     void fpusqrtfirst();
     void fpusqrtstep() { rounding_ = Rounding::nearest; }
     void fpusqrtlast() { rounding_ = Rounding::nearest; }
@@ -182,8 +182,8 @@ inline Real Fpu::pop() {
     return top;
 }
 
-/// Computes on the host if rounding to nearest is the only rule that matters. A finite result has finite operands,
-/// except the result of a division by infinity.
+/// Computes on the host's processor, and returns true, if the operands and the result are finite. Then rounding to
+/// nearest is the only rule that matters.
 template <typename T>
 bool Fpu::combined_at_once(RealOperation operation, const Real& left, const Real& right) {
     const RealPattern<T> first(left.bits), second(right.bits);

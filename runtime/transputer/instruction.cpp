@@ -17,8 +17,8 @@ constexpr Instruction instruction_table[] = {
     {NAME(name), code, Unit::direct, cycles, extra, accesses, all_models},
 #define OPERATION(code, name, cycles, extra, accesses, models, ...)                                                    \
     {NAME(name), code, Unit::integer, cycles, extra, accesses, models},
-// At an operation on reals, the integer unit waits at most until the preceding operations on reals have ended. So it is
-// enough if each operation on reals counts its own cycles as extra cycles.
+// At an operation on reals, the integer unit waits at most until the preceding operations on reals have ended. So if
+// each operation on reals counts its own cycles as extra cycles, their sum is an upper bound for the waits.
 #define CYCLES(cycles, is_double) [](bool DOUBLE [[maybe_unused]]) -> std::uint16_t { return cycles; }(is_double)
 #define REAL(code, name, cycles, accesses, ...)                                                                        \
     {NAME(name), code, Unit::reals, 1, CYCLES(cycles, true), accesses, with_reals, CYCLES(cycles, false)},

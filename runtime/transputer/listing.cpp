@@ -27,7 +27,7 @@ struct ListedBlock {
     HalfCycles spent = 0;
 };
 
-/// Returns the addresses that instructions lead or refer to.
+/// Returns for each instruction the address to which it leads or refers.
 std::vector<std::optional<Word>> targets_of(std::span<const Listing::Line> lines) {
     std::vector<std::optional<Word>> result;
     std::array<CodeLine, 2> before{}; // the last line first
@@ -60,7 +60,7 @@ std::vector<ListedBlock> blocks_of(std::span<const Listing::Line> lines, std::sp
     return blocks;
 }
 
-/// Returns a number of cycles as a text with commas. It has half a cycle only if code was fetched from outside of the
+/// Returns a number of cycles as a text with commas. Half cycles occur only if code was fetched from outside of the
 /// chip.
 std::string print_cycles_of(HalfCycles half_cycles) {
     std::string result = fmt::format("{}", half_cycles / 2);
@@ -152,7 +152,7 @@ void Listing::begins(Word at) {
         code_has_changed(here, offset);
 }
 
-/// Continues the count of the code that is now at this place, or begins a new count if this code was not there before.
+/// Continues the count of the new code if this code was there before, otherwise begins a new count.
 void Listing::code_has_changed(Place& here, Word offset) {
     const auto memory = core_.memory().bytes(offset, core_.memory().size() - offset);
     const auto code = memory.first(read_instruction(memory, core_.model()).length);

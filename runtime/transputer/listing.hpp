@@ -11,8 +11,8 @@
 
 namespace placedpar::transputer {
 
-/// Counts how often each instruction of a core was executed, and its half cycles. If an instruction is overwritten, the
-/// old and the new instruction are counted separately.
+/// Counts how often an emulated transputer executed each instruction, and the time that it took. If an instruction is
+/// overwritten, the old and the new instruction are counted separately.
 class Listing final : public Core::Watcher {
 public:
     /// An instruction that was executed.
@@ -22,10 +22,10 @@ public:
         std::vector<std::uint8_t> bytes;
         std::uint64_t times = 0;
         HalfCycles spent = 0;
-        bool is_replaced = false; ///< memory has other code there now
+        bool is_replaced = false; ///< other code has replaced the instruction
     };
 
-    /// Begins to count, by watching the core. REQUIRES: neither object is moved during the run.
+    /// Begins to count. REQUIRES: neither object is moved during the run.
     explicit Listing(Core&);
     Listing(const Listing&) = delete;
     Listing& operator=(const Listing&) = delete;
@@ -58,10 +58,9 @@ private:
     std::vector<std::unique_ptr<Page>> pages_;
 };
 
-/// Returns a table of the code that ran, by address: bytes, instruction, times, cycles and share of all cycles, with
-/// sums for each block of instructions that were executed one after the other. Before it, a shorter table shows the
-/// blocks with the most cycles. Names of procedures, and places in files when they change, are added if `lines` has
-/// them.
+/// Returns two tables. The first shows the blocks of instructions with the most cycles. The second shows all code that
+/// ran, by address: bytes, instruction, times, cycles and share of all cycles, with a sum for each block. Names of
+/// procedures and places in files come from `lines`, as far as it has them.
 std::string print_listing(const Listing&, const CodeLines& lines);
 
 } // namespace placedpar::transputer

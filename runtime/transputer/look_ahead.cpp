@@ -16,7 +16,8 @@ struct NoLinks final : LinkEngines {
     void reset(int) override {}
 };
 
-/// Executes the code of one process on a copy of its node. Waits end at once, and nothing else runs.
+/// Executes the code of one process on a copy of its transputer, to find out on which channels it communicates next.
+/// Waits end at once, and no other process runs.
 class LookAhead {
 public:
     LookAhead(const Core& core, const WaitingProcess& process)
@@ -51,7 +52,7 @@ private:
         return result;
     }
 
-    /// Performs the effect of a scheduler instruction on the process that executes it, without a wait.
+    /// Performs an instruction of the scheduler without its wait, as far as it affects the process that executes it.
     bool pass(Operation operation, Registers& r) {
         switch (operation) {
         case Operation::in: return note(r.b, false);

@@ -19,16 +19,17 @@ namespace placedpar::transputer {
 
 static_assert(std::endian::native == std::endian::little, "words of a transputer are stored as the host stores them");
 
-/// The memory of an emulated transputer: bytes from MostNeg on, 0 before the boot. The host provides a page of memory
-/// when the page is first used. Addresses below are offsets from MostNeg, unless stated otherwise.
+/// The memory of an emulated transputer: bytes from address MostNeg on, all 0 before the boot. The host provides a page
+/// of memory when the page is first used. An offset is a distance from MostNeg.
 class NodeMemory {
 public:
-    /// When the program writes to a page of this size, decoded code of the page is discarded, and the page is saved.
+    /// Size of the pages for which flags are kept. When the program writes to a page, decoded instructions of the page
+    /// are discarded, and the old contents of the page are saved if needed.
     static constexpr Word page_bytes = 256;
 
     /// Throws std::invalid_argument unless 2048 <= bytes < 4 GB and bytes is a multiple of 256. Throws std::bad_alloc
-    /// if the host has too little memory. `bytes_on_chip`: size of the memory on the chip. It hides the same number of
-    /// bytes at the beginning of the external memory. Programs can reach the hidden bytes at wrapped addresses.
+    /// if the host has too little memory. `bytes_on_chip`: size of the memory on the chip, which hides the first bytes
+    /// of the external memory. Programs can reach these hidden bytes at addresses that wrap round.
     NodeMemory(std::uint64_t bytes, Word bytes_on_chip) : size_(static_cast<Word>(bytes)), hidden_(bytes_on_chip) {
         if (bytes < 2048 || bytes > 0xffff'ff00 || bytes % page_bytes != 0)
             throw std::invalid_argument("a transputer's memory has 2048 bytes to 4 Gbyte, in steps of 256");
@@ -41,25 +42,24 @@ public:
 
     static constexpr Word offset_of(Word address) { return address - most_negative; }
     Word size() const { return size_; }
-    /// Returns the offset to which an offset outside of the memory wraps. It is in the memory, or after its end, where
-    /// the hidden bytes are stored.
+    /// Returns the offset to which an offset outside of the memory wraps round. The result is in the memory, or beyond
+    /// its end, where the hidden bytes are stored.
     Word wrapped(Word offset) const {
         offset %= size_;
         return offset < hidden_ ? size_ + offset : offset;
     }
     /// Does the same as wrapped(), but leaves an offset in the memory unchanged.
     Word wrapped_or_not(Word offset) const { return offset < size_ ? offset : wrapped(offset); }
-    /// Returns the end of the area that contains an offset returned by wrapped(): the memory, or the hidden bytes after
-    /// it.
+    /// Returns the end of the memory if `place` is in the memory, otherwise the end of the hidden bytes after it.
     Word end_around(Word place) const { return place < size_ ? size_ : size_ + hidden_; }
     bool holds(Word offset, Word bytes) const { return offset <= size_ && bytes <= size_ - offset; }
 
     std::uint8_t* data() { return bytes_.get(); }
     const std::uint8_t* data() const { return bytes_.get(); }
-    /// Returns flags for each page: not 0 if writing to the page needs a preparation.
+    /// Returns a number for each page: not 0 if the caller must prepare a write to the page (must_prepare()).
     const std::uint8_t* page_flags() const { return pages_.get(); }
-    /// Returns whether writing these bytes needs a preparation, because instructions of their pages are decoded or the
-    /// pages must be saved. REQUIRES: the memory holds the bytes.
+    /// Returns whether the caller must discard decoded instructions or call save() before it writes these bytes.
+    /// REQUIRES: the memory holds the bytes.
     bool must_prepare(Word offset) const { return pages_[offset / page_bytes] != 0; }
     bool must_prepare(Word offset, Word bytes) const {
         for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
@@ -79,8 +79,8 @@ public:
         pages_[page] = static_cast<std::uint8_t>((pages_[page] & ~code) | (has_code ? code : 0));
     }
 
-    /// Saves the contents, so that go_back() can restore them. The contents stay saved until the next call of keep() or
-    /// let_go(). Only pages that are written are copied.
+    /// Saves the contents until the next call of keep() or let_go(), so that go_back() can restore them. A page is
+    /// copied only when it is written to.
     void keep() {
         if (std::exchange(has_kept_, true))
             mark_written();
@@ -90,7 +90,7 @@ public:
         keeps_ = true;
     }
     void let_go() { keeps_ = false; }
-    /// Saves the pages of some bytes that will be written. REQUIRES: the memory holds them, and bytes > 0.
+    /// Saves the pages of bytes that will be written. REQUIRES: the memory holds the bytes, and bytes > 0.
     void save(Word offset, Word bytes) {
         for (Word page = offset / page_bytes; page <= (offset + bytes - 1) / page_bytes; ++page)
             if (pages_[page] & unsaved)
@@ -123,7 +123,8 @@ public:
     std::span<std::uint8_t> bytes(Word offset, Word count) { return {&bytes_[offset], count}; }
 
 private:
-    // These are flags of a page: it may have decoded instructions; it was not written since keep().
+    // These are flags of a page. `code`: the page may have decoded instructions. `unsaved`: the page was not written to
+    // since keep().
     static constexpr std::uint8_t code = 1, unsaved = 2;
 
     std::size_t pages() const { return (std::size_t{size_} + hidden_) / page_bytes + 1; }

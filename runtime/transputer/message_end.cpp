@@ -107,7 +107,7 @@ bool MessageEnd::give_up_output(AnyChannel& channel) {
     return true;
 }
 
-/// Returns whether all bytes have arrived. The process need not have continued yet.
+/// Returns whether all bytes of the message have arrived, even if the process has not continued yet.
 bool MessageEnd::has_whole_message(const AnyChannel& channel) {
     try {
         return (inputs_.ended || in->store_early()) && channel.byte_form()->next_part(inputs_.message) == 0;

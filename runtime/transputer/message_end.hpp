@@ -19,10 +19,11 @@ class Process;
 
 namespace placedpar::transputer {
 
-/// The end of a link at which processes in C++ output and input messages, while a transputer that executes its own code
-/// moves bytes at the other end. One channel can use each direction. Its messages travel as bytes (ByteForm): this end
-/// gives or takes all bytes of a part together, as the instructions `out` and `in` do. A process continues when the
-/// last byte has been acknowledged, or has arrived. The other end may move the bytes by other counts.
+/// Connects C++ processes with an emulated transputer that executes its own code: the end of a link at which the C++
+/// processes output and input messages. One channel can use each direction. Its messages travel as bytes (ByteForm):
+/// this end sends or receives all bytes of a message part together, as the instructions `out` and `in` do. A process
+/// continues when the last byte has been acknowledged, or has arrived. The transputer may receive or send the bytes in
+/// other portions.
 ///
 /// input() throws NoMessage for bytes that are not a message of the channel's protocol.
 class MessageEnd final : public ByteEnd, public Carrier {
@@ -46,8 +47,8 @@ public:
     bool output_must_be_reset(const AnyChannel& c) const override { return out->wire().output_must_be_reset(c); }
     bool input_must_be_reset(const AnyChannel& c) const override { return in->wire().input_must_be_reset(c); }
     std::string why_not_given_up() const override { return ""; }
-    /// Have the effect of `resetch` on this end, which forgets the rest of the message. If the other end has begun to
-    /// move the message, too, the program at the other end must reset its channel before it moves further bytes.
+    /// Forget the rest of the message, as `resetch` does. If the transputer has begun to move the message, too, its
+    /// program must reset its channel before it moves further bytes.
     bool give_up_output(AnyChannel&) override;
     bool give_up_input(AnyChannel&) override;
     std::uint64_t reset_output(AnyChannel&) override { return std::exchange(outputs_.moved_when_given_up, 0); }

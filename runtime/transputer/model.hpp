@@ -6,11 +6,11 @@
 
 namespace placedpar::transputer {
 
-/// A word of a transputer with 32 bits. Addresses are words; they are signed on the machine, so memory begins at
+/// A word of a transputer with 32 bits, or an address. On the machine addresses are signed, so memory begins at
 /// `most_negative`.
 using Word = std::uint32_t;
 
-/// MostNeg, the address of the first byte of memory. It also stands for "no process".
+/// MostNeg, the address of the first byte of memory. The same value also stands for "no process".
 inline constexpr Word most_negative = 0x8000'0000;
 inline constexpr Word not_a_process = most_negative;
 
@@ -23,7 +23,7 @@ constexpr Models only(Model model) { return 1u << static_cast<unsigned>(model); 
 inline constexpr Models all_models = 0x1f;
 /// Models with a floating-point unit.
 inline constexpr Models with_reals = only(Model::t800) | only(Model::t805);
-/// Models without a floating-point unit, whose instructions support routines for reals.
+/// Models without a floating-point unit. They have instructions for library routines on reals.
 inline constexpr Models without_reals = all_models & ~with_reals;
 /// Models with the instructions that came with the T800: duplicate, moves in two dimensions, CRC, bits.
 inline constexpr Models second_generation = all_models & ~only(Model::t414);

@@ -19,13 +19,12 @@ Word word_of(std::span<const std::uint8_t, 4> bytes) {
     return result;
 }
 
-/// Returns the least time in which both directions of a link move a word. In this time, each wire carries only the
-/// bytes of its own direction and the acknowledges of the opposite direction.
+/// Returns the least time in which both directions of a link move a word. Each wire carries the four bytes of its
+/// direction, and the acknowledges of the opposite direction.
 Time time_of_word(const hardware::LinkTiming& timing) { return 4 * (timing.data() + timing.acknowledge()); }
 
-/// Returns a time that no instruction of the integer unit exceeds, including its wait for the floating-point unit and
-/// its accesses to the memory. Instructions of the scheduler can take longer, but the core can pause before their
-/// effect.
+/// Returns a time that no instruction of the integer unit exceeds, including waits for the floating-point unit and for
+/// the memory. Instructions of the scheduler can take longer, but the core can pause before their effect.
 Time longest_instruction(const CoreTiming& timing) {
     return duration_of(128 + 8 * std::int64_t{timing.memory_cycles}, timing.clock_hz);
 }
@@ -95,23 +94,23 @@ Core::Pause Node::run_to_limit() {
                                                         : Core::Links::take_accesses);
 }
 
-/// Returns how far the core may run: at most `most_ahead` from now on. One instruction must fit between this time and
-/// the end of the run, a halt or an analysis. Otherwise the core could execute an instruction beyond these times,
-/// although a link may still act on it before.
+/// Returns the time up to which the core may run: at most `most_ahead` from now on. Between this time and the end of
+/// the run, a halt or an analysis there must be room for one instruction. Otherwise the core could execute an
+/// instruction beyond that moment, before which a link may still act on the core.
 Time Node::horizon(Time most_ahead) const {
     return std::min(later(kernel_.now(), most_ahead),
                     std::min({halts_at_, analysed_at_, kernel_.limit()}) - longest_instruction_);
 }
 
-/// Returns whether the core can run ahead although a link may act on it meanwhile. If a link acts, come_back() restores
-/// an earlier state. The core cannot run ahead while a link accesses the memory, because these accesses delay the core
-/// by a time that is not known in advance.
+/// Returns whether the core can run ahead of virtual time. If a link then acts on the core, come_back() restores the
+/// saved state. While a link moves bytes, the core cannot run ahead. The link's accesses to the memory would delay the
+/// core by a time that is not known in advance.
 bool Node::may_run_ahead() const {
     return most_ahead_ > Time{0} && !core_.is_watched() && !wires_.empty() &&
            std::ranges::all_of(wires_, &hardware::Link::is_still);
 }
 
-/// Runs as if no link acted on the core.
+/// Saves the core's state, and runs ahead of virtual time as if no link acted on the core.
 Core::Pause Node::run_ahead() {
     core_.keep();
     ahead_to_ = std::max(core_.half_cycle_at(horizon(ahead_by_)), core_.local() + 1);
@@ -120,7 +119,7 @@ Core::Pause Node::run_ahead() {
     return pause;
 }
 
-/// Returns to the state of the present time, if the core has run ahead of it.
+/// If the core has run ahead of virtual time, restores the saved state and runs up to the present time.
 void Node::come_back() {
     if (!std::exchange(is_ahead_, false))
         return;
@@ -134,11 +133,11 @@ void Node::come_back() {
     ahead_by_ = std::max(ahead_by_ / 2, least_ahead_);
 }
 
-/// Returns the local time up to which nothing else can act on the core.
+/// Returns the core's local time up to which nothing else can act on the core.
 ///
-/// While link engines take accesses to the memory, the local time advances by these accesses, too. So the core executes
-/// at once only about a quarter of the time that is left until the limit. It then stays within the limit as long as the
-/// engines leave it a quarter of the time. If the memory is too slow for this, the core executes a single instruction.
+/// While link engines access the memory, the core waits, so its local time advances faster. Therefore it executes at
+/// once only about a quarter of the time until the limit. If the memory is too slow even for this, the core executes a
+/// single instruction.
 HalfCycles Node::limit() const {
     const EventQueue& future = kernel_.future();
     const Time next_event = future.empty() ? Time::max() : future.next_time();
@@ -156,8 +155,8 @@ HalfCycles Node::limit() const {
     return way > at_once + 4 && !may_take_all ? core_.local() + (way - at_once) / 4 : next;
 }
 
-/// Adds the accesses that link engines took since the last call. Returns false if local time is now in the future; the
-/// node then continues at that time.
+/// Advances the core's local time by the accesses of link engines since the last call. Returns false if the local time
+/// is now in the future; the node then continues at that time.
 bool Node::settle() {
     const std::uint64_t words = words_moved();
     core_.lose_accesses(words - std::exchange(words_settled_, words));
@@ -175,7 +174,7 @@ std::uint64_t Node::words_moved() {
     return words;
 }
 
-/// Notes what a link has done, for the next turn of the core. An idle core continues at the current time, after all
+/// Notes what a link has done, for the next turn of the core. An idle core has its turn at the current time, after all
 /// links have acted.
 void Node::note(const Wake& wake) {
     if (activity_ != Activity::booted || is_halted())
@@ -200,7 +199,7 @@ void Node::tell_core() {
 }
 
 void Node::be_idle() {
-    if (core_.local_time() > kernel_.now()) { // another process may become ready before this time
+    if (core_.local_time() > kernel_.now()) { // a link may make a process ready before this time
         kernel_.future().schedule(*this, core_.local_time(), EventQueue::turn);
         return;
     }

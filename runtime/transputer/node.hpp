@@ -24,49 +24,51 @@ namespace placedpar::transputer {
 class CodeLines;    // runtime/transputer/code_lines.hpp
 class ProcessTrace; // runtime/transputer/process_trace.hpp
 
-/// An emulated transputer as a device of a simulation. After reset it listens to its links. The first byte that comes
-/// over a link selects what this link does: it boots the transputer, reads its memory (peek) or writes its memory
-/// (poke). After a boot, the core executes.
+/// An emulated transputer, which executes its own code, as a device of a simulation. After reset it listens to its
+/// links. The first byte that comes over a link is a command: boot the transputer, read its memory (peek) or write its
+/// memory (poke). After a boot, the transputer's core executes code.
 ///
-/// The core runs ahead of virtual time, in one of two ways. While nothing is under way on any link, the core saves its
-/// state, and executes up to its next link instruction as if no link acted on it. If one of its links is about to act
-/// on it, the core first returns to the saved state, and executes again up to the present. While a link is under way,
-/// the core executes only as far as nothing can act on it. It stops before a change of its queues if a link may wake a
-/// process. It stops at the next event of any other device if a high-priority process waits for a link. It always stops
-/// when a timer or a timeslice ends, or a clock is read. So the results depend neither on how far the core runs ahead,
-/// nor on the order of devices. The only exceptions are programs that read bytes that a link is about to store, or that
-/// change bytes or a channel word that a link is about to read.
+/// To save events, the core executes ahead of virtual time. This does not change the results, with the exceptions
+/// below. While nothing is under way on any link, the core saves its state and executes up to its next link
+/// instruction. If a link is about to act on the core, the core first returns to the saved state, and executes again up
+/// to the present. While a link is under way, the core executes only as long as nothing can act on it. It stops at the
+/// end of a timer or a timeslice, and when a clock is read. It stops before a change of its queues if a link may make a
+/// process ready. It stops at the next event of any other device if a high-priority process waits for a link.
+/// Exceptions are programs that read bytes that a link is about to store, or that change bytes or a channel word that a
+/// link is about to read.
 ///
-/// Processes that links wake at the same time become ready in the order of their channels.
+/// Processes that links make ready at the same time become ready in the order of their channels.
 ///
 /// Source: IMS T800 data sheet, "reset, bootstrap and analyse".
 class Node final : private Event, private LinkEngines, private hardware::LinkEngineWatcher {
 public:
     static constexpr int links = 4;
 
-    /// The activity of a node. A node that was never booted is `listening` at the end of the run.
+    /// The activity of a node. Before it is booted, a node is `listening`.
     enum class Activity : std::uint8_t { listening, booted, stopped, halted };
 
     /// Throws the exceptions of NodeMemory's constructor.
     Node(Kernel&, std::string name, Model, std::uint64_t memory_bytes, const CoreTiming&);
     ~Node();
 
-    /// Returns the node's end of a link, for ByteLink. `number`: 0 to 3.
+    /// Returns the node's end of a link, for the constructor of a ByteLink. `number`: 0 to 3.
     ByteEnd& end(int number) { return ports_[static_cast<std::size_t>(number)]; }
-    /// States that this link ends here, so that its engines use the memory of the node. REQUIRES: the link outlives the
-    /// run.
+    /// States that this link ends here. Its engines then use the node's memory, and the core waits for their accesses.
+    /// REQUIRES: the link outlives the run.
     void has_link(hardware::Link&);
     /// Sets a function to call when the core stops by an error.
     void when_stopped(std::function<void()> f) { when_stopped_ = std::move(f); }
-    /// Names processes by a table. REQUIRES: the table outlives the node; the run has not begun.
+    /// Sets a compiler's table with the names of processes and channels, for reports. REQUIRES: the table outlives the
+    /// node; the run has not begun.
     void name_by(const CodeLines& lines) {
         lines_ = &lines;
         core_.know_errors(lines);
     }
-    /// Makes each instruction an event of its own. Tests compare such a run with a usual run. REQUIRES: the run has not
-    /// begun.
+    /// Makes each instruction an event of its own, without running ahead. Tests compare such runs with usual runs.
+    /// REQUIRES: the run has not begun.
     void run_instruction_by_instruction() { run_ahead_by(Time{0}); }
-    /// Runs ahead by this time while nothing is under way on the links. REQUIRES: the run has not begun.
+    /// Sets how far the core executes ahead of virtual time while nothing is under way on the links. REQUIRES: the run
+    /// has not begun.
     void run_ahead_by(Time time) {
         most_ahead_ = std::min(most_ahead_, time);
         ahead_by_ = least_ahead_ = longest_ahead_ = time;
@@ -78,11 +80,11 @@ public:
 
     /// Returns whether the first process of the program that start() began has ended.
     bool has_ended(const Image&) const;
-    /// Sets a function to call when only a link could wake the node.
+    /// Sets a function to call when only a link can wake the node: no process can run, and no timer is set.
     void when_idle(std::function<void()> f) { when_idle_ = std::move(f); }
 
-    /// Stops the node at a time. From then on, the node executes nothing, and obeys no boot commands. Its link engines
-    /// finish the transfers that are under way. REQUIRES: the run has not begun.
+    /// Stops the node at a time, as a fault. From then on, the node executes nothing, and obeys no commands to boot.
+    /// Its link engines finish the transfers that are under way. REQUIRES: the run has not begun.
     void halt_at(Time moment) { halts_at_ = std::min(halts_at_, moment); }
     /// Sets the pin analyse at a time, and then the pin reset: the core stops at its next j, lend or wait. Then the
     /// links are reset, and the node listens to them as after reset. The memory stays as it is, except that the
@@ -94,9 +96,9 @@ public:
     /// Returns the node's name followed by the name of a process, such as "root.phil[2]". If the process has no name,
     /// the address of its workspace takes the place of the name, as in "root.#80000144".
     std::string name_of_process(Word workspace) const;
-    /// Returns the name of a channel in the table. If the table has none, returns, for a link's channel, the name of
-    /// the direction, or of the channel that C++ processes use on this direction. For other channels, returns
-    /// "root.event" or a name such as "root.#80000100".
+    /// Returns the name of a channel in the compiler's table. Without such a name, a link's channel has the name of the
+    /// link direction, or of the channel that C++ processes use there. Other channels have the name "root.event" or a
+    /// name such as "root.#80000100".
     std::string name_of_channel(Word) const;
     Activity activity() const;
     /// Returns the core, in its state at the present time.
@@ -108,8 +110,8 @@ public:
     Time time_busy() const;
     /// Returns how long the memory has served link engines so far.
     Time memory_taken_by_links();
-    /// Returns whether no process can run, no timer is due, and no transfer is complete: only a link could wake the
-    /// node.
+    /// Returns whether no process can run, no timer is due, and no transfer is complete. The node then waits for a link
+    /// or a timer.
     bool is_idle() const { return is_idle_; }
 
 private:
@@ -131,7 +133,7 @@ private:
         Node* node_ = nullptr;
         int number_ = 0;
     };
-    /// How a listening node uses the bytes that come over a link.
+    /// What a listening node expects next over a link.
     enum class Listening : std::uint8_t { for_command, for_poke, for_peek, for_code, answering };
 
     /// An action of a link on a channel of the node: a transfer has ended, or a byte has come.
@@ -160,7 +162,7 @@ private:
     Core::Pause run_ahead();
     void come_back();
     void link_will_change() override { come_back(); }
-    /// Returns the time up to which the core may execute if no link acts on it.
+    /// Returns the virtual time up to which the core may execute if no link acts on it.
     Time horizon(Time most_ahead) const;
     bool settle();
     std::uint64_t words_moved();
@@ -200,7 +202,7 @@ private:
     Time most_ahead_ = std::chrono::microseconds{100}; ///< how far the core may run ahead while links may act on it
     Time ahead_by_ = most_ahead_; ///< how far the core runs ahead the next time if nothing is under way on the links
     Time least_ahead_ = std::chrono::microseconds{10}, longest_ahead_ = std::chrono::milliseconds{1};
-    bool is_ahead_ = false; ///< the core has saved a state, and has then run to `ahead_to_`
+    bool is_ahead_ = false; ///< the core has saved its state, and has then executed up to `ahead_to_`
     HalfCycles ahead_to_ = 0;
     Time halts_at_ = Time::max(), analysed_at_ = Time::max();
     Analysis analysis_{*this};

@@ -50,8 +50,8 @@ void ProcessTrace::wait(Word workspace, Activity activity, const std::vector<Wor
     add(std::move(notice));
 }
 
-/// Records that the running process leaves the processor. If it has moved to another workspace, the trace ends the
-/// process of the former workspace.
+/// Records that the running process leaves the processor. If its workspace has now another name, the trace shows the
+/// end of the process with the former name.
 void ProcessTrace::leave(const std::string& process) {
     if (running_ != process && !running_.empty())
         add({core_.local_time(), running_, Activity::ended});
@@ -67,8 +67,8 @@ std::vector<Word> ProcessTrace::enabled_by(Word workspace) {
     return result;
 }
 
-/// Returns a channel with the process that used its other end last. For a link, the name of the link takes the place of
-/// the partner's name.
+/// Returns the names of a channel and of the process that used its other end last. For a link's channel, the second
+/// name is the same as the first.
 AwaitedByProgram ProcessTrace::awaited(Word channel, bool outputs) {
     const std::string name = name_of_channel_(channel);
     return {name, hard_channel(channel) >= 0 ? name : users_[channel][!outputs]};

@@ -20,14 +20,14 @@ class Kernel;
 
 namespace placedpar::transputer {
 
-/// Reports the activities of a node's processes to the trace of a run. A node runs ahead of virtual time, so each
-/// notice is kept until its time has come. Each workspace counts as a process; workspaces with the same name count as
-/// one process.
+/// Reports to the trace of a run what the processes of an emulated transputer do. The transputer executes ahead of
+/// virtual time, so each notice is kept until its time has come. Each workspace counts as a process, but workspaces
+/// with the same name count as one process.
 class ProcessTrace final : public Core::ProcessWatcher, private Event {
 public:
     using Naming = std::function<std::string(Word)>;
-    /// `place`: the name of the node; `process` and `channel`: functions that return the name of a workspace and of a
-    /// channel. REQUIRES: the run is traced; kernel, core and place outlive this object.
+    /// `place`: the name of the transputer. `process` and `channel`: functions that return the name of a workspace and
+    /// of a channel. REQUIRES: the run is traced; kernel, core and place outlive this object.
     ProcessTrace(Kernel&, const Core&, const std::string& place, Naming process, Naming channel);
 
 private:

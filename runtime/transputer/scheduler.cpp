@@ -14,7 +14,7 @@
 namespace placedpar::transputer {
 namespace {
 
-/// The cycles of a typical interrupt (published), and of the return from an interrupt (ours).
+/// The cycles of a typical interrupt (published), and of the return from an interrupt (our choice).
 constexpr HalfCycles interrupt_cycles = 19, return_cycles = 17;
 static_assert(interrupt_cycles == static_cast<HalfCycles>(hardware::instructions::preemption));
 
@@ -37,7 +37,7 @@ bool can_be_interrupted(Operation operation) {
     }
 }
 
-/// Returns whether perform_at_once() can perform this instruction of the scheduler. It cannot if the instruction uses a
+/// Returns whether perform_at_once() can perform this instruction of the scheduler, because the instruction uses no
 /// clock.
 bool stays_on_processor(Operation operation) {
     switch (operation) {
@@ -93,7 +93,7 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
         if (!has_process)
             return Pause::idle;
         if (local_ >= std::min(limit, due_))
-            continue; // an interrupt, or the return from one, took the time
+            continue; // an interrupt, or the return from an interrupt, took the remaining time
         if (pending_) {
             if (!finish_pending(limit, links, pause))
                 return pause;
@@ -104,7 +104,7 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
 }
 
 /// Executes up to a local time, or one instruction if instructions are watched. `at_once`: instructions of the
-/// scheduler that affect only this processor may be performed although virtual time has not reached their ends yet.
+/// scheduler may be performed before virtual time has reached their ends, if they affect only this processor.
 void Core::execute_until(HalfCycles until, bool at_once) {
     if (!watcher_)
         return act_on(execute(until, at_once));
@@ -153,7 +153,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
             return true;
     }
     const HalfCycles room = std::min(limit, due_) - local_;
-    if (pending_->left >= room) { // timers or the limit come before the effect of the instruction
+    if (pending_->left >= room) { // a timer or the limit comes before the effect of the instruction
         local_ += room;
         pending_->left -= room;
         pause = Pause::limit;
@@ -171,7 +171,7 @@ bool Core::finish_pending(HalfCycles limit, Links links, Pause& pause) {
         watcher_->executed(pending_->at, pending_->spent);
     pending_.reset();
     perform(operation);
-    pause = Pause::on_time; // the result if the caller's limit may have become too late
+    pause = Pause::on_time; // returned if the caller must compute its limit again
     return !acts_on_link && (due_ >= due || links == Links::rest);
 }
 
@@ -256,7 +256,7 @@ void Core::pass_idle_time(Time now) {
 void Core::lose_accesses(std::uint64_t words) {
     const HalfCycles lost = 2 * words * static_cast<std::uint64_t>(timing_.memory_cycles);
     local_ += lost;
-    fpu_free_ += lost; // ours: the floating-point unit waits, too; otherwise the moment of this call would matter
+    fpu_free_ += lost; // our choice: the floating-point unit waits, too; otherwise the moment of this call would matter
 }
 
 /// Attends to timers that are due and to the end of a timeslice period.
@@ -306,7 +306,8 @@ bool Core::dispatch() {
         run_front(0);
         return true;
     }
-    // At low priority, the word may be left over from before an analyse.
+    // The word of the interrupted process counts only at high priority. At low priority it may be left over from before
+    // an analyse.
     if (priority_ == 0 && load(reserved::saved) != not_a_process) {
         resume_interrupted();
         return true;

@@ -18,7 +18,7 @@ namespace placedpar::transputer {
 namespace {
 
 constexpr std::uint64_t for_ever = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t most_shown = 1024; // lines; a faulty program can make a queue's pointers lead in a circle
+constexpr std::uint64_t most_shown = 1024; // lines; a limit, because a faulty program can turn a queue into a circle
 
 constexpr std::string_view commands_of_stepper =
     "s [N]          execute N instructions; without N: one\n"

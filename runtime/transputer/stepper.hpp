@@ -12,13 +12,14 @@
 
 namespace placedpar::transputer {
 
-/// Executes a core's instructions step by step, and shows the state between them. Its commands are the lines of a
-/// stream. It stops before the first instruction. Addresses are hexadecimal, such as #80000070.
+/// A simple debugger: executes the instructions of an emulated transputer step by step, and shows the state between
+/// them. The user's commands are the lines of a stream. The debugger stops before the first instruction. Addresses are
+/// hexadecimal, such as #80000070.
 class Stepper final : public Core::Watcher {
 public:
-    /// Watches the core. `lines` names places in the code. `print` gets lines of text. `quit` is called once, at the
-    /// command `quit` or at the end of the commands. Afterwards the stepper does not stop the core any more. REQUIRES:
-    /// the stepper and all arguments stay at their addresses during the run.
+    /// Begins to watch the core. `lines` names places in the code. `print` is called with lines of text. `quit` is
+    /// called once, at the command `quit` or at the end of the commands. Afterwards the core does not stop any more.
+    /// REQUIRES: the stepper and all arguments stay at their addresses during the run.
     Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print,
             std::function<void()> quit);
     Stepper(const Stepper&) = delete;

@@ -28,7 +28,7 @@ std::vector<std::uint8_t> bytes_up_to(const NodeMemory& memory, Word end) {
     return bytes;
 }
 
-/// The integer registers, as far as they are known.
+/// The registers A, B and C of a waiting process, as far as its code before the wait shows their values.
 class KnownStack {
 public:
     void push(std::optional<Word> value) {
@@ -59,7 +59,7 @@ private:
     std::optional<Word> a_, b_, c_;
 };
 
-/// Performs an instruction that only loads and computes addresses. Returns false for any other instruction. REQUIRES:
+/// Performs an instruction that only loads or computes an address. Returns false for any other instruction. REQUIRES:
 /// an operand that counts words has been multiplied by 4.
 bool evaluate(const Core& core, Word workspace, Operation operation, Word operand, KnownStack& stack) {
     const auto load = [&](Word address) { return word_of_node(core, address); };
@@ -150,8 +150,8 @@ std::optional<std::vector<Word>> channels_before(const Core& core, Word workspac
 constexpr std::array waits{Operation::in,    Operation::out,    Operation::outbyte, Operation::outword,
                            Operation::altwt, Operation::taltwt, Operation::tin};
 
-/// Returns the instruction at which a process waits; `unknown` if its saved Iptr follows no instruction that waits, or
-/// follows data that only looks like such an instruction.
+/// Returns the instruction at which a process waits. Returns `unknown` if its saved Iptr follows no such instruction,
+/// or follows data that only looks like one.
 Operation waits_at(const Core& core, Word workspace) {
     const auto instruction = word_of_node(core, workspace - below::instruction);
     if (!instruction || !core.has_executed_before(*instruction))
@@ -160,7 +160,7 @@ Operation waits_at(const Core& core, Word workspace) {
     return std::ranges::count(waits, operation) > 0 ? operation : Operation::unknown;
 }
 
-/// Finds the waiting processes of a node.
+/// Finds the waiting processes in the memory of an emulated transputer.
 class WaitSearch {
 public:
     explicit WaitSearch(const Core& core) : core_(core) {
@@ -193,10 +193,10 @@ public:
     }
 
 private:
-    /// A word that holds the address of a workspace.
+    /// A word of memory that seems to hold a process's descriptor, that is, its workspace and priority.
     struct Holder {
         Word workspace, at;
-        bool is_low; ///< as a descriptor of low priority
+        bool is_low; ///< the descriptor has low priority
     };
 
     bool can_wait(Word workspace) const {
@@ -223,8 +223,8 @@ private:
         }
     }
 
-    /// Adds the process that waits at a link. The channel determines the direction of the wait, not the instruction.
-    /// After analyse, the word of the channel may be left over from an earlier wait.
+    /// Adds the process that waits at a link's channel. The channel shows whether the process inputs or outputs. After
+    /// analyse, the channel's word may be left over from an earlier wait.
     void add_at_link(Word channel, int number) {
         const Word descriptor = *word_of_node(core_, channel), workspace = descriptor & ~Word{3};
         if (descriptor == not_a_process || !can_wait(workspace))
@@ -238,7 +238,7 @@ private:
         process(workspace, (descriptor & 1) != 0, wait).channels.push_back(channel);
     }
 
-    /// Returns whether the code shows that the process of a descriptor waits on other channels, whose words hold the
+    /// Returns whether the code of a descriptor's process shows that it waits on other channels, whose words hold the
     /// descriptor.
     bool waits_elsewhere(Word descriptor, Word channel, bool alternates) const {
         const Word workspace = descriptor & ~Word{3};
@@ -252,7 +252,8 @@ private:
         const NodeMemory& memory = core_.memory();
         for (Word offset = traits_of(core_.model()).memory_start; offset < memory.size(); offset += 4) {
             const Word value = memory.word(offset), workspace = value & ~Word{3}, at = most_negative + offset;
-            const bool is_own = workspace - at - 1 < below::time; // such as the link of a queue
+            const bool is_own = workspace - at - 1 < below::time; // one of the process's own words, such as the link of
+                                                                  // a queue
             if (NodeMemory::offset_of(value) < memory.size() && (value & 2) == 0 && !is_own && can_wait(workspace) &&
                 leaves_pointer(workspace))
                 holders_.push_back({workspace, at, (value & 1) != 0});
@@ -274,7 +275,7 @@ private:
         }
     }
 
-    /// Adds the process to whose workspace these words refer. Such a word may also be an ordinary pointer.
+    /// Adds the process whose descriptor these words seem to hold. Some of them may be ordinary pointers.
     void add_at_channels(std::span<const Holder> holders) {
         const Word workspace = holders.front().workspace;
         const Operation operation = waits_at(core_, workspace);

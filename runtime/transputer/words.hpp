@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <tuple>
 
-/// Functions on words that instructions need, and values that the scheduler keeps in memory.
+/// Functions on words for a transputer's instructions, and the values that its scheduler keeps in memory.
 namespace placedpar::transputer {
 
 inline constexpr Word sign_bit = 0x8000'0000;
@@ -16,7 +16,7 @@ constexpr std::int32_t signed_of(Word word) { return static_cast<std::int32_t>(w
 /// Returns the number of the highest bit that is set; 0 for 0.
 constexpr Word top_bit(Word word) { return word == 0 ? 0 : static_cast<Word>(31 - std::countl_zero(word)); }
 
-/// Returns the cycles of a shift of two words by this number of places, beyond the first 3 cycles.
+/// Returns the cycles of a shift of two words by this number of places, as in lshl, beyond the first 3 cycles.
 constexpr Word cycles_of_long_shift(Word places) {
     if (places < 32)
         return places;
@@ -46,7 +46,8 @@ constexpr Word reversed(Word word) {
 /// The number of channels of links, including the event channel.
 inline constexpr Word hard_channels = 9;
 
-/// Returns the number of a link's channel: 0 to 3 outputs, 4 to 7 inputs, 8 the event channel; otherwise -1.
+/// Returns the number of a link's channel: 0 to 3 for outputs, 4 to 7 for inputs, 8 for the event channel. Returns -1
+/// for any other address.
 constexpr int hard_channel(Word address) {
     const Word offset = address - most_negative;
     return offset < 4 * hard_channels ? static_cast<int>(offset / 4) : -1;
@@ -64,7 +65,7 @@ inline constexpr Word time_set = most_negative + 1, time_not_set = most_negative
 inline constexpr Word none_selected = ~Word{0};
 } // namespace alternative
 
-/// Addresses below MemStart.
+/// Addresses below MemStart, which the processor uses itself.
 namespace reserved {
 inline constexpr Word outputs = most_negative, inputs = most_negative + 0x10, event = most_negative + 0x20;
 inline constexpr Word timer_heads = most_negative + 0x24; ///< the head for high priority, then the head for low
