@@ -14,7 +14,7 @@ void Generator::declare_routine(const Declaration& d) {
     routines_[&d] = std::move(routine);
 }
 
-/// Returns the Routine of a procedure or function. When it is first asked for, its code is generated.
+/// Returns the Routine of a procedure or function. The first call generates its code.
 Generator::Routine& Generator::routine_of(const Declaration& d) {
     Routine& routine = *routines_.at(&d);
     if (!routine.level) {
@@ -121,8 +121,7 @@ std::vector<const Expression*> Generator::pointers_to(const std::vector<Expressi
     return pointers;
 }
 
-/// Calls a procedure or function. The words of `more` are passed after the arguments and before the addresses of the
-/// results.
+/// Calls a procedure or function. Passes the arguments, then the words of `more`, then the addresses of the results.
 void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
                      const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
@@ -155,7 +154,8 @@ void Generator::add_argument(Arguments& words, const Declaration& parameter, con
     }
 }
 
-/// Makes an array of pointers to the channels of a table such as [c, d], which are declared one by one.
+/// Makes an array of pointers to the channels of a table such as [c, d], so that the channels can be passed as an
+/// array.
 Storage Generator::channel_table(const TableLiteral& table, const Type& type) {
     Storage pointers =
         in_workspace(*array_of(*basic(Basic::integer), static_cast<std::uint32_t>(table.elements.size())));
