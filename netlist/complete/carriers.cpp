@@ -237,8 +237,8 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// Returns the best continuation of `route` that ends with `wire`. The continuation avoids the processors in
-    /// `passed`. It may reach the receiver's processor only over `wire`.
+    /// Returns the continuation of `route` with the fewest hops that ends with `wire`. The continuation avoids the
+    /// processors in `passed`. It may reach the receiver's processor only over `wire`.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
                                                 const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;

@@ -101,7 +101,7 @@ private:
 } // namespace
 
 /// Returns whether a device can be attached to the bus. Reports a request level that the arbiter does not have. Also
-/// reports a second master in a slot, because the grant of the bus passes from slot to slot.
+/// reports a second master in a slot, because the grant of the bus is offered to each slot only once.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())
