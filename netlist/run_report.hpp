@@ -64,8 +64,8 @@ struct RunReport : MachineUse {
 /// their order.
 std::vector<Measurement> in_order_of_netlist(std::vector<Measurement>, const Network&);
 
-/// Returns the fingerprint of a run: a hash of `events`, which is the hash of the order and times of the run's events,
-/// and of the measurements.
+/// Returns the fingerprint of a run: a hash of its events and of its measurements. `events` is the hash of the order
+/// and times of the events.
 std::uint64_t fingerprint_with(std::uint64_t events, const std::vector<Measurement>& measurements);
 
 } // namespace placedpar

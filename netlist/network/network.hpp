@@ -63,8 +63,8 @@ struct Node {
     bool runs_own_code =
         false; ///< the node is an emulated transputer: it executes the instructions of its bootable file or image
     /// Holds the program that is in the node's memory when the run begins. The program contains all processes in occam
-    /// on the node, and processes that pass on messages between other nodes' processes in occam. Null if the node has
-    /// no such processes.
+    /// on the node. It also contains processes that pass on messages, if channels between processes in occam share a
+    /// wire or lead through the node. Null if the node needs no such program.
     std::shared_ptr<const transputer::Image> image = nullptr;
     std::optional<std::size_t> rank = {}; ///< thread or MPI rank of its processes in a native run; empty: not stated
 

@@ -21,7 +21,7 @@ namespace placedpar::occam {
 /// a name.
 const Declaration* root_of(const Expression&);
 /// Returns the declaration to which an abbreviation or RETYPES gives another name: that of `a` for `x IS a[i]:`.
-/// Returns null for one with VAL, and for any other declaration.
+/// Returns null for an abbreviation or RETYPES with VAL, and for any other declaration.
 const Declaration* named_by(const Declaration&);
 /// Returns the variable or channel itself for an abbreviation of it, also through several abbreviations. Returns any
 /// other declaration unchanged.

@@ -50,7 +50,7 @@ struct CodeError {
 /// but without, `until`. Words are counted from the first workspace pointer of the program; workspaces grow downwards,
 /// so that most numbers are negative.
 struct CodeWorkspace {
-    /// value of `outermost` for the first process of the program, which starts the outermost components of PARs
+    /// The value of `outermost` for the first process of the program, which starts the outermost components of PARs.
     static constexpr std::size_t first_process = static_cast<std::size_t>(-1);
 
     std::int64_t from = 0, until = 0;

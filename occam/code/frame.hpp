@@ -20,8 +20,9 @@ struct Frame;
 /// Identifies a word of a workspace.
 struct Cell {
     enum class Area : std::uint8_t {
-        local,     ///< a variable or temporary of the frame
-        low,       ///< one of the frame's lowest words, which some instructions use, and calls for further parameters
+        local, ///< a variable or temporary of the frame
+        low,   ///< one of the lowest words of the frame, which hold operands of some instructions and further arguments
+               ///< of calls
         parameter, ///< a parameter of the frame's procedure
         link,      ///< a hidden parameter, directly after the return address: the address of the frame of the enclosing
                    ///< procedure
