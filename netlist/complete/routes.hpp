@@ -47,7 +47,7 @@ public:
 
 private:
     /// Holds for each node the least cost of a route to one fixed node. Loads are not counted, so that a route has the
-    /// same cost in both directions. Nothing for a node that has no route.
+    /// same cost in both directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
     struct Ends {
@@ -62,8 +62,8 @@ private:
     /// Computes distances_ by a search of all nodes except the nodes in `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
     /// Computes distances_ by a faster search, if one of the two ends is a hub. A hub is a node at the end of many
-    /// routes, for which the least costs from all nodes are stored (hubs_). Only nodes on routes of least cost, without
-    /// loads, are searched. Returns false if neither end is a hub.
+    /// routes, for which the least costs from all nodes are stored (hubs_). Only nodes on routes of least cost are
+    /// searched, where loads are not counted. Returns false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
     /// Lowers the distance of each neighbour from which a route over `node` costs less than this distance. Calls

@@ -19,7 +19,7 @@ class MachineNode;   // netlist/kinds/machine_node.hpp: the device in a run
 struct MachineParts; // parts of a run; same header
 class Reporter;      // text/reporter.hpp
 
-/// States what wires do at a device.
+/// States how a device uses the wires that lead to it.
 enum class LinkRole {
     ends,    ///< wires end at the device's numbered links
     crosses, ///< the device is a switch: it joins the wires at two of its numbered links
@@ -112,9 +112,9 @@ struct Drawing {
     std::string legend = ""; ///< name of the device in the legend of the drawing
 };
 
-/// Describes a kind of device, such as transputers or VMEbuses, to the parts of the program that read, check, print and
-/// simulate netlists. None of these parts needs further knowledge of the device. Switches are devices, too. So is an
-/// edge, the place where the network ends, although it is not hardware.
+/// Describes a kind of device, such as transputers or VMEbuses. The code that reads, checks, prints and simulates
+/// netlists knows devices only from these descriptions. A switch is a device, too, and so is an edge, the place where
+/// the network ends.
 struct DeviceKind {
     std::string name;  ///< name in the JSON output, such as "processor"
     std::string noun;  ///< name in messages, such as "a processor"

@@ -17,7 +17,7 @@ struct ProcessorUse {
     std::string type;
     Time busy;                  ///< time for which the processor executed processes, including waits for its memory
     Time memory_taken_by_links; ///< time in which the memory served the links, whether the processor was busy or not
-    std::uint64_t packets_passed_on = 0; ///< packets of other processors' channels
+    std::uint64_t packets_passed_on = 0; ///< number of packets that the processor passed on between other processors
     Time passing_on{}; ///< part of `busy` in which the processor passed packets on, without waits for memory
 };
 

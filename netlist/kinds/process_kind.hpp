@@ -26,7 +26,7 @@ struct PortDescription {
     Direction direction;
     bool optional;        ///< true if a netlist may leave the port unconnected
     std::string protocol; ///< the protocol's name in messages and reports
-    std::type_index type; ///< C++ type of the messages; both ends of a channel must have the same type
+    std::type_index type; ///< C++ type of the messages; two processes in C++ must use the same type
     std::function<std::unique_ptr<AnyChannel>(std::string name)> make_channel;
     std::string about;          ///< one line
     std::string formerly = "";  ///< name of the port in older netlists; "" if the name has never changed
