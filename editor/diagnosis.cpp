@@ -24,7 +24,7 @@ std::filesystem::path normal(const std::filesystem::path& path) {
 }
 
 /// Stores the paths of the files that were read with a document. If the text has errors, reading may have stopped
-/// early, so the paths that were stored before are kept.
+/// early; the paths that were stored before are then kept, too.
 void note_included(Document& document, const std::vector<std::string>& paths, bool failed) {
     if (!failed)
         document.included.clear();
@@ -43,7 +43,8 @@ std::vector<Diagnostic> check_part(Document& document) {
     return reporter.take();
 }
 
-/// Returns whether a line of a text begins with `netlist =`. A text in TOML without such a line is not a study.
+/// Returns whether a line of a text begins with `netlist =`. A text in TOML without such a line is not a study (a file
+/// about experiments with a netlist).
 bool names_netlist(const std::string& text) {
     constexpr std::string_view setting = "netlist";
     for (auto at = text.find(setting); at != text.npos; at = text.find(setting, at + 1)) {

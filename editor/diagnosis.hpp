@@ -11,23 +11,24 @@
 
 namespace placedpar::editor {
 
-/// Reads and checks an open text. Keeps results in the document for later requests. A text in TOML without a line
-/// `netlist = ...` is not a study, and is not checked.
+/// Reads and checks a text that an editor has open, and returns its errors and warnings. Keeps results in the Document
+/// for later requests. A text in TOML without a line `netlist = ...` is not checked, since only studies, which are
+/// experiments with a netlist, have such a line.
 std::vector<Diagnostic> check_document(Document&, const Catalogue&);
 
-/// Returns the syntax of a netlist. Reads the text again only if it has changed.
+/// Returns the syntax of a netlist. Parses the text again only if it has changed.
 const NetlistSyntax& syntax_of(Document&);
-/// Returns the checked program in occam, or the configuration. Checks the text again only if it has changed.
+/// Returns the checked program or configuration in occam. Checks the text again only if it has changed.
 const OccamCheck& program_of(Document&);
-/// Returns the names of a study's netlist; no names if the netlist has an error. Reads the netlist again only if a text
-/// has changed.
+/// Returns the names that a study can use, which its netlist declares; no names if the netlist has an error. Reads the
+/// netlist again only if the study or the netlist has changed.
 const StudyNames& names_of(Document&, const Catalogue&, const ProblemRegistry&);
 
-/// Writes ranges in the format of the protocol. Computes the line lengths of each text only once. REQUIRES: the files
-/// outlive this object.
+/// Writes ranges of text in the format of the Language Server Protocol. Finds the lines of each text only once.
+/// REQUIRES: the files outlive this object.
 class RangeWriter {
 public:
-    /// Returns a range in one line. REQUIRES: the location has a file.
+    /// Returns the range of `bytes` bytes from a place, in one line. REQUIRES: the location has a file.
     boost::json::object range(const Location&, std::size_t bytes);
     /// Returns the range from a place to the end of the word there. REQUIRES: the location has a file.
     boost::json::object range_of_word(const Location&, NamesOf);
@@ -36,8 +37,8 @@ private:
     std::map<const SourceFile*, Positions> positions_;
 };
 
-/// Returns the diagnostics in the format of the protocol, by the URI of their file. A diagnostic without a file, such
-/// as a diagnostic about a study's setting, is reported at the beginning of the document.
+/// Returns the diagnostics in the format of the Language Server Protocol, by the URI of their file. A diagnostic
+/// without a file is put at the beginning of the document.
 std::map<std::string, boost::json::array> diagnostics_json(const std::vector<Diagnostic>&, const Document&,
                                                            const Documents&);
 

@@ -19,8 +19,8 @@ namespace {
 
 namespace json = boost::json;
 
-/// Sets the language of a text. The extension of the file name decides. If it is unknown, the editor's name for the
-/// language decides; if this name is unknown, too, the text itself decides.
+/// Sets the language of a text. The extension of the file name decides. If the extension is unknown, the editor's name
+/// for the language decides. If this name is unknown, too, the contents of the text decide.
 void choose_language(Document& document, const std::string& language_id) {
     const std::string extension = lower_case(document.path.extension().string());
     document.is_part = extension != ".cfs" && extension != ".occ" && extension != ".pgm" && extension != ".toml";

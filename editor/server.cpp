@@ -64,8 +64,8 @@ json::object symbol_json(const OutlineEntry& entry, const json::object& range) {
             {"selectionRange", range}};
 }
 
-/// Returns the edit that changes one text into another. It replaces the lines between the common beginning and the
-/// common end.
+/// Returns the edit that changes one text into another. The edit replaces the lines between the common beginning and
+/// the common end of both texts.
 json::array edits_between(const std::string& before, const std::string& after) {
     if (before == after)
         return {};
@@ -296,7 +296,7 @@ struct LanguageServer::State {
             *document.file, parsed ? parsed->program.get() : nullptr, at);
     }
 
-    /// Throws RequestError unless the document is a netlist that no other open text includes.
+    /// Throws RequestError if the document is not a netlist, or if another open text includes it.
     void refuse_to_rename_in(const Document& document) {
         if (document.language != Language::netlist)
             throw RequestError(ErrorCode::request_failed, "only names of netlists can be renamed");
@@ -405,7 +405,8 @@ struct LanguageServer::State {
     Documents documents;
     std::set<std::string> to_check; ///< URIs of texts that have changed
     std::map<std::string, std::map<std::string, json::array>>
-        published; ///< diagnostics; keys: URI of the checked text, URI of the file
+        published; ///< diagnostics that the editor has; keys: URI of the checked text, then URI of the file with the
+                   ///< diagnostic
     bool initialized = false, shut_down = false, ended = false;
 };
 

@@ -29,8 +29,8 @@ std::string file_and_line(const Location& location) {
     return fmt::format("{}:{}", std::filesystem::path(location.file->path()).filename().string(), location.line);
 }
 
-/// Returns the process that the first name of the path denotes; the other names denote components. Returns null if the
-/// network has no such process.
+/// Returns the process of the netlist for a path such as "a/1", which means component 1 of a PAR in process a. Returns
+/// null if the network has no such process.
 const ProcessInstance* outermost(const Network& network, std::string_view path) {
     return find_named(network.processes, path.substr(0, path.find('/')));
 }
@@ -56,14 +56,14 @@ void add_places(Deadlock& deadlock, const Network& network) {
 
 namespace {
 
-/// Returns the failed process or component, its kind, and the time unless the time is 0: "process a/1 (kind) at 3 us".
+/// Returns a text such as "process a/1 (kind) at 3 us". The time is left out if it is 0.
 std::string failing(const Failure& failure, const ProcessInstance* process) {
     return fmt::format("process {}{}{}", failure.process, process ? " (" + process->kind + ")" : "",
                        failure.time == Time{0} ? "" : " at " + to_string(failure.time));
 }
 
-/// Returns whether the network has a device that a program adds: an exception in a process may then come from the
-/// device that carries its messages.
+/// Returns whether the network has a device that a user's program defines. An exception in a process may then come from
+/// the device that carries its messages.
 bool has_own_devices(const Network& network) {
     return std::ranges::any_of(network.nodes, [](const Node& node) { return node.kind->is_own; });
 }

@@ -6,7 +6,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the timing of a link. The link overlaps acknowledges if both ends can overlap them.
+/// Returns the timing of a link. The link sends the acknowledge of a byte while the byte arrives, if both ends can do
+/// so.
 hardware::LinkTiming timing_of(const LinkConnection& connection, const MachineParts& parts) {
     constexpr auto metre = static_cast<double>(hardware::LinkTiming::metre_of_wire.count());
     std::int64_t crossing = 0; // hundredths of a bit time
@@ -38,8 +39,8 @@ Machine::Machine(const Network& network, const Catalogue& catalogue, std::uint64
     start_processes();
 }
 
-/// Makes the nodes with slots, or the nodes without slots. Devices with slots are made later, since they use the
-/// devices in their slots.
+/// Makes the nodes with slots, such as buses, or the nodes without slots. Nodes with slots are made later, since they
+/// use the devices in their slots.
 void Machine::make_nodes(bool with_slots) {
     parts_.nodes.resize(network_.nodes.size());
     for (std::size_t i = 0; i < network_.nodes.size(); ++i)
@@ -68,8 +69,8 @@ void Machine::make_link(const LinkConnection& connection) {
         ask(end.node, &MachineNode::has_link, link);
 }
 
-/// Returns the carriers of a connection that is made by switches during the run. The connection shares its link engines
-/// with the other connections of the same links.
+/// Returns what carries messages, in both directions, over a connection that switches make during the run. The
+/// connection shares the engines of its two links with the other connections that switches make at these links.
 CarrierPair Machine::switched(std::size_t index) {
     const LinkConnection& connection = network_.connections[index];
     hardware::Link& link = *parts_.links[index];

@@ -18,36 +18,40 @@
 
 namespace placedpar {
 
-/// Simulates a network: its processors, links and processes, wired as the netlist says. A machine runs once.
+/// Simulates a network, that is, a netlist that has been read and checked: its processors, links and processes. A
+/// machine runs once.
 class Machine {
 public:
-    /// Throws RefusedInput as require_runnable() does.
+    /// Throws RefusedInput if the network cannot be run: see require_runnable() in netlist/runnable.hpp.
     Machine(const Network&, const Catalogue&, std::uint64_t seed);
 
     /// Throws UserError if a process refuses its parameters or channels, or if the run would pass the end of virtual
-    /// time. The text of an error of a process has the place of the process in the netlist.
+    /// time. If a process throws, the text of the error says where the netlist declares this process.
     RunReport run(Time limit = Time::max());
     Simulation& simulation() { return simulation_; }
     /// Records the actions of the processes, so that the run can be repeated with other seeds. REQUIRES: run() has not
     /// been called; the RecordedRun is empty, is not moved, and outlives this object.
     void record(RecordedRun&);
-    /// Makes the run take ready processes in a random order, including the processes of emulated transputers. REQUIRES:
-    /// run() has not been called. See Kernel::shuffle and transputer::Core::shuffle.
+    /// Makes the run execute ready processes in a random order, to find results that depend on this order. The
+    /// processes of emulated transputers are included. REQUIRES: run() has not been called. See Kernel::shuffle and
+    /// transputer::Core::shuffle.
     void shuffle(std::uint64_t seed);
-    /// REQUIRES: run() has not been called; the sink outlives this object.
+    /// Sends the events of the run to the sink. REQUIRES: run() has not been called; the sink outlives this object.
     void trace_to(TraceSink& sink) { simulation_.trace_to(sink); }
 
 private:
     struct Connection {
         CarrierPair carriers = {};
-        hardware::RouterLink* router_link = nullptr; ///< null if the connection carries no packets
+        hardware::RouterLink* router_link = nullptr; ///< null if the connection carries no packets; packets are for
+                                                     ///< channels that share a link or pass other processors
     };
     /// Holds the effects of one fault in the run.
     struct Effects {
-        std::vector<const hardware::FaultEffect*> of_links; ///< effect on each link that the fault affects
+        std::vector<const hardware::FaultEffect*> of_links; ///< one entry for each link that the fault affects
         FaultEffects of_device = {};
     };
-    /// Calls a member function of the node's device (ask_device in netlist/kinds/own_code.hpp).
+    /// Calls a member function of the node's device. An exception in a device that a user's program defines becomes an
+    /// error of that program (ask_device in netlist/kinds/own_code.hpp).
     template <class Member, class... Arguments>
     auto ask(std::size_t node, Member member, Arguments&&... arguments) const {
         return ask_device(network_.nodes[node], [&] {

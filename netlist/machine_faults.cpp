@@ -89,7 +89,8 @@ std::vector<std::string> Machine::stopped_on(std::size_t node) const {
     return stopped;
 }
 
-/// Returns whether the fault stops packets on the route. A way over a bus to an adapter includes the adapter's wire.
+/// Returns whether the fault stops packets on the route. A way over a bus to a link adapter contains the wire at the
+/// adapter.
 bool Machine::is_stopped_by(const hardware::Route& route, const Fault& fault) const {
     if (fault.link < 0) {
         const Executive* executive = parts_.nodes[fault.node]->executive();

@@ -13,8 +13,8 @@ namespace placedpar {
 
 namespace {
 
-/// Resets `waits_since` of each process that is not in a deadlock. Such a process waits, directly or through other
-/// processes, for the end of the work, and would then continue (see wait_until_work_is_over).
+/// Resets `waits_since` of each process that waits, but is not in a deadlock. Such a process waits, directly or through
+/// other processes, for the end of the run's work, and would then continue (see wait_until_work_is_over).
 void forget_waits_that_end(RunReport& report) {
     auto is_held = [&](const ProcessUse& process) {
         const auto& stuck = report.result.deadlock->processes;

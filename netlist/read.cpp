@@ -32,7 +32,8 @@ std::size_t count_words(std::string text) {
     return count;
 }
 
-/// Returns an upper limit of count_words(), computed in one pass. REQUIRES: the text has no illegal tokens.
+/// Returns an upper limit of the number of tokens that count_words() finds, which is slower. REQUIRES: the text has no
+/// illegal tokens.
 std::size_t most_words_in(std::string_view printed) {
     std::size_t count = 0;
     bool in_word = false;
@@ -56,7 +57,7 @@ void check_size(WrittenOut out, const Location& at, Reporter& reporter) {
             at, fmt::format("the network is too large: written out it would have more than {} words", most_tokens));
 }
 
-/// Returns a hint if the text looks like a file with code for transputers, which is not a netlist; otherwise "".
+/// Returns a hint if the text looks like a file with a transputer's machine code, which is not a netlist; otherwise "".
 std::string hint_for(const std::string& text) {
     const auto is_odd = [](char c) { return static_cast<unsigned char>(c) < 9 || static_cast<unsigned char>(c) > 126; };
     if (text.size() < 16 || static_cast<std::size_t>(std::ranges::count_if(text, is_odd)) < text.size() / 8)
@@ -70,7 +71,7 @@ std::string hint_for(const std::string& text) {
 
 bool is_standard_input(const SourceFile& file) { return file.path() == shown_input("-"); }
 
-/// If the text is occam, or code for the assembler, replaces all errors by one error that says so.
+/// If the text is occam, or source text of the assembler, replaces all errors by one error that says so.
 void recognise_occam(const std::shared_ptr<const SourceFile>& main, Reporter& reporter) {
     if (main->path().ends_with(".tas"))
         return reporter.replace_all({main, 0, 0},
@@ -111,7 +112,7 @@ void sort_by_place(std::vector<Diagnostic>& diagnostics) {
     });
 }
 
-/// Adds the source files of kinds to the paths of the network's inputs.
+/// Adds the source files in occam from which kinds were made to the network's list of input files.
 void add_program_paths(Network& network, const Catalogue& catalogue) {
     std::set<std::string> known;
     for (const ProcessInstance& process : network.processes)
@@ -125,10 +126,11 @@ void add_program_paths(Network& network, const Catalogue& catalogue) {
 
 std::string render(const ReadResult& result) { return render(result.diagnostics) + result.not_shown; }
 
-/// Holds the results of reading and parsing the text, which overrides do not change, and the options for all networks.
+/// Holds the results of parsing the text, from which networks with different values of options are made, and the
+/// options that all these networks share.
 struct ParsedNetlist::Syntax {
     struct Content {
-        std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist
+        std::string (*translate_hint)(const std::string&) = nullptr; ///< see MadeNetlist; null if the file is a netlist
         Statements statements = {};
         std::vector<std::string> included_paths = {};
         CompiledPrograms compiled = {};
@@ -137,8 +139,8 @@ struct ParsedNetlist::Syntax {
 
     Syntax(const LoadedSource& source, const std::filesystem::path& path, const ReadOptions& options);
     Content parse(const ValChoice&, Reporter&) const;
-    /// Returns whether the netlist must be made again from a file in another language: this is necessary if there are
-    /// options, since an option may set a val of the file.
+    /// Returns whether a netlist that was made from a file in occam must be made again, because an option may set a VAL
+    /// of this file.
     bool is_made_again(const Overrides& overrides) const {
         return content.translate_hint && !overrides.empty() && !found.failed();
     }

@@ -14,7 +14,7 @@
 
 namespace placedpar {
 
-/// Counts the processors and the processes that a netlist declares. A device that a program can set, such as a C004,
+/// Counts the processors and the processes that a netlist declares. A switch that a program can set, such as a C004,
 /// counts as a processor. A statement with an error declares nothing.
 struct Declared {
     std::size_t processors = 0, processes = 0;
@@ -23,38 +23,38 @@ struct Declared {
 struct ReadResult {
     std::optional<Network> network;      ///< set if and only if no diagnostic is an error
     std::vector<Diagnostic> diagnostics; ///< in the order of the text; at most 20 errors
-    std::string not_shown =
-        ""; ///< a line with the number of errors that are not in `diagnostics`; "" if there are none
+    std::string not_shown = ""; ///< a text such as "... 3 more errors not shown"; "" if `diagnostics` is complete
     Declared declared = {};
 };
 
 /// Returns the diagnostics and `not_shown` as text.
 std::string render(const ReadResult& result);
 
-/// Holds the options with which a netlist is read.
+/// Holds options of the command line that affect how a netlist is read.
 struct ReadOptions {
     std::vector<std::filesystem::path> include_folders =
-        {}; ///< where included files are looked for that are not beside the including file
+        {};                               ///< searched for included files, after the folder of the including file
     std::vector<std::string> faults = {}; ///< faults stated by options: `t[0].link[1] silent (from = 20ms)`
-    ProgramKinds programs =
-        {}; ///< kinds that replace programs; it is an error to name a program that the netlist does not use
+    ProgramKinds programs = {}; ///< for each program that a `use` statement names, the kind of process that replaces
+                                ///< it; an error if the netlist does not name the program
     NetlistMaker make_netlist = {}; ///< reads files in another language, such as occam
 };
 
-/// Holds the syntax of a netlist and of the files that it includes, before overrides are applied. The text is read and
-/// parsed once, and gives any number of networks. The object is immutable: copies are cheap, and several threads may
-/// use it at the same time.
+/// Holds the syntax of a netlist and of the files that it includes. The text is parsed once. Each call of read() then
+/// makes a network from it, with other values set by options (overrides). The object is immutable: copies are cheap,
+/// and several threads may use it at the same time.
 class ParsedNetlist {
 public:
-    /// Reads the file; "-" is standard input, whose `#include` is relative to the working directory. Errors in the text
-    /// are not thrown; instead, each call of read() reports them.
+    /// Reads the file; "-" is standard input. Files that standard input includes are relative to the working directory.
+    /// Errors in the text are not thrown: each call of read() reports them.
     explicit ParsedNetlist(const std::filesystem::path& path, const ReadOptions& options = {});
-    /// Parses a text that is not a file; its `#include` is relative to the working directory.
+    /// Parses a text that is not a file. Files that the text includes are relative to the working directory. Messages
+    /// call the text `shown_path`.
     static ParsedNetlist of_text(const std::string& text, const std::string& shown_path = "netlist",
                                  const ReadOptions& options = {});
 
-    /// Elaborates and checks the netlist with these overrides. Errors in the text or in the overrides are reported in
-    /// the result, not thrown.
+    /// Executes the statements of the netlist with these overrides, and checks the resulting network. Errors in the
+    /// text or in the overrides are in the result; they are not thrown.
     ReadResult read(const Catalogue& catalogue, const Overrides& overrides = {}) const;
 
 private:

@@ -47,8 +47,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // either the process has departed from its history, or the exception might be thrown at another
-                    // time, or never, in a run on the machine
+    } catch (...) { // the process has departed from its history, or a run on the machine might throw the exception at
+                    // another time or not at all
         return std::nullopt;
     }
     if (course_.has_diverged)

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Lists the processes that run one unknown program, or the channels that lead to one edge without a process.
+/// Lists the processes with one unknown program, or the channels to one edge (an end of the network) without a process.
 struct Missing {
     std::vector<std::string> names;
     Location first;

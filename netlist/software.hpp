@@ -13,11 +13,13 @@
 
 namespace placedpar {
 
-/// Holds the processes of a network and their channels, independently of the machine on which the processes run.
+/// Makes and holds the processes and channels of a network for one run. The run is on a simulated machine (Machine),
+/// from a record (RepeatedRun), or on threads of this computer (native).
 class Software {
 public:
-    /// Makes all channels; at first, each is a channel in the memory of one processor. Throws RefusedInput as
-    /// require_runnable() does. REQUIRES: network and catalogue outlive this object.
+    /// Makes all channels. Each is a channel in memory until the machine places it on a link. Throws RefusedInput if
+    /// the network cannot be run: see require_runnable() in netlist/runnable.hpp. REQUIRES: network and catalogue
+    /// outlive this object.
     Software(const Network&, const Catalogue&, std::uint64_t seed);
     Software(const Software&) = delete;
     Software& operator=(const Software&) = delete;
@@ -25,17 +27,18 @@ public:
     /// Returns the channel with this index in Network::channels.
     AnyChannel& channel(std::size_t index) const { return *channels_[index]; }
 
-    /// Makes all processes. `executives` has an executive for each node, or null if the processes on the node take no
-    /// time. REQUIRES: called once, and this object outlives the simulation's run.
+    /// Makes all processes. `executives` has for each node the processor that executes the processes there; null if
+    /// these processes take no time. REQUIRES: called once, and this object outlives the simulation's run.
     void start(Simulation&, const std::vector<Executive*>& executives);
-    /// Makes the processes of the nodes that are true in `nodes`. `executive` executes the processes; if it is null,
-    /// they take no time. REQUIRES: as for start().
+    /// Makes only the processes on the nodes whose element of `nodes` is true: the share of one thread or rank of a
+    /// native run. `executive` executes the processes; if it is null, they take no time. REQUIRES: called once, and
+    /// this object outlives the simulation's run.
     void start_natively(Simulation&, const std::vector<bool>& nodes, Executive* executive = nullptr);
-    /// Declares which processes use the ends of all channels. `all` holds the processes by their index in
-    /// Network::processes, including processes that another Software object made; it has null for a process that runs
-    /// in another program.
+    /// Tells each channel which processes use its ends, so that a deadlock can be explained. `all` holds the processes
+    /// by their index in Network::processes, including processes that another Software object made; null for a process
+    /// that runs in another program.
     void expect_partners(const std::vector<Process*>& all);
-    /// Returns the processes by their index in Network::processes; null for processes that this object has not made.
+    /// Returns the processes by their index in Network::processes. A process that this object has not made is null.
     const std::vector<Process*>& processes() const { return processes_; }
 
     const Catalogue& catalogue() const { return catalogue_; }

@@ -14,8 +14,8 @@ struct sqlite3_stmt;
 
 namespace placedpar::store {
 
-/// An error with SQLite's message and, if there is one, the operating system's message. `damage()` returns whether the
-/// file is damaged, or is not a database.
+/// Reports an error with SQLite's message, followed by the operating system's message if there is one. `damage()`
+/// returns whether the file is damaged, or is not a database.
 class DatabaseError : public UserError {
 public:
     DatabaseError(const std::string& what, bool damage) : UserError(what), damage_(damage) {}
@@ -25,18 +25,18 @@ private:
     bool damage_;
 };
 
-/// An open SQLite database. Its functions and its statements' functions throw DatabaseError. The class is not
+/// An open SQLite database. The functions of this class and of Statement throw DatabaseError. The class is not
 /// thread-safe.
 class Database {
 public:
     /// Opens the database. If `make` is true and the file does not exist, creates the file.
     explicit Database(const std::filesystem::path& path, bool make = true);
 
-    /// Executes any number of statements without parameters, and discards their results.
+    /// Executes SQL statements without parameters, and discards their results.
     void run(const std::string& sql);
     /// Rolls back the current transaction, if there is one.
     void roll_back() noexcept;
-    /// Returns the first column of the first row; 0 or "" if there is no row.
+    /// These two functions execute a query and return the first column of its first row; 0 or "" if there is no row.
     std::int64_t integer(const std::string& sql);
     std::string text(const std::string& sql);
 
@@ -49,12 +49,12 @@ private:
     std::unique_ptr<sqlite3, Close> handle_;
 };
 
-/// A statement with parameters ?1, ?2... REQUIRES: the database outlives the statement.
+/// An SQL statement, which may have parameters ?1, ?2... REQUIRES: the database outlives the statement.
 class Statement {
 public:
     Statement(Database& database, const std::string& sql);
 
-    /// Binds all parameters in their order, and starts the statement again.
+    /// Gives values to all parameters, in their order. The next step() then executes the statement from its beginning.
     template <typename... Values>
     Statement& bind(const Values&... values) {
         reset();
@@ -80,7 +80,8 @@ public:
         reset();
         return found;
     }
-    /// Stops reading rows. Until then SQLite cannot reuse the beginning of its write-ahead log.
+    /// Stops reading rows. Call reset() if not all rows have been read: an unfinished statement keeps SQLite from
+    /// reusing the beginning of its write-ahead log.
     void reset();
 
     /// These functions return a column of the present row, counted from 0. The row is valid until the next step().

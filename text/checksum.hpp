@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Returns the CRC-64 (ECMA-182, as in xz) of several texts. The result also depends on where one text ends and the
-/// next begins.
+/// Returns the CRC-64 (ECMA-182, as in xz) of several texts. Also covers their lengths, so that "a", "bc" and "ab", "c"
+/// differ.
 template <typename... Texts>
 std::int64_t checksum_of(const Texts&... texts) {
     boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xFFFFFFFFFFFFFFFF, 0xFFFFFFFFFFFFFFFF, true, true> crc;

@@ -16,7 +16,7 @@ constexpr std::size_t widest_excerpt = 160;
 /// Returns whether a byte continues a UTF-8 character.
 bool within_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// Returns `before`, the text left of the caret, with every character replaced by a blank.
+/// Returns the line with the caret: a blank for each character of `before`, with tabs kept, then the caret.
 std::string caret_line(std::string_view before) {
     std::string result;
     for (char c : before)

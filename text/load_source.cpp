@@ -23,8 +23,8 @@ bool is_text(char c) {
     return byte >= 0x20 ? byte != 0x7f : (c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v');
 }
 
-/// Returns whether a byte occurs only in binary files. Bells, backspaces and escape sequences do not count, since texts
-/// copied from a terminal have them.
+/// Returns whether a byte occurs only in binary files. Bells, backspaces and escapes do not count, since texts that
+/// were copied from a terminal have them.
 bool is_of_binary_file(char c) { return !is_text(c) && c != '\a' && c != '\b' && c != '\x1b'; }
 
 Diagnostic problem_at(const File& file, std::size_t line, std::size_t column, std::string message) {
@@ -124,7 +124,7 @@ namespace {
 LoadedSource read_source(std::istream& in, const std::string& shown_path) {
     std::string text;
     std::array<char, 1 << 16> piece;
-    while (text.size() <= largest_source_bytes + 3 && in) { // 3 bytes more, since a byte order mark does not count
+    while (text.size() <= largest_source_bytes + 3 && in) { // 3 bytes more, for a byte order mark, which does not count
         in.read(piece.data(), piece.size());
         text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
     }

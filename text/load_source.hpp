@@ -10,24 +10,26 @@
 
 namespace placedpar {
 
-/// These limits keep invalid input from costing time. They are far above what a written or generated text needs.
+/// These limits let the program refuse wrong input, such as a huge binary file, quickly. They are far above what a real
+/// text needs.
 inline constexpr std::size_t largest_source_bytes = 16 * 1024 * 1024;
-inline constexpr std::size_t longest_source_line = 10000; ///< bytes, without the line's end
+inline constexpr std::size_t longest_source_line = 10000; ///< in bytes, without the line's end
 
 struct LoadedSource {
-    std::shared_ptr<const SourceFile> file; ///< never null, since messages also quote a refused text
-    std::vector<Diagnostic> problems;       ///< errors, without hints; empty: the text is good
+    std::shared_ptr<const SourceFile> file; ///< never null, since messages quote a refused text, too
+    std::vector<Diagnostic> problems;       ///< errors, without hints; empty if the text can be used
 };
 
-/// Reads a whole file. It is a problem if the file is missing, a directory, a device, too large, or not text. A Ctrl-Z
-/// ends the text, as it does in DOS.
+/// Reads a whole file. Reports a problem if the file is missing, a directory, a device, too large, or not text. A
+/// Ctrl-Z ends the text, as in DOS.
 LoadedSource load_source(const std::filesystem::path& path);
-/// Does what load_source() does, but "-" is standard input (text/standard_streams.hpp). Standard input is read once;
-/// later calls return the same text.
+/// Reads a file as load_source() does; the path "-" means standard input (text/standard_streams.hpp). Standard input is
+/// read once; later calls return the text of the first call.
 LoadedSource load_input(const std::filesystem::path& path);
-/// Checks a text in memory, or a piece of a text, as load_source() checks a file.
+/// Checks a text in memory as load_source() checks a file. `first_line` is above 1 if the text is a later piece of a
+/// longer text.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);
-/// Returns "" if the path can be opened as a file or a pipe, else the reason why it cannot.
+/// Returns the reason why the path cannot be opened as a file or a pipe; "" if it can.
 std::string why_not_a_file(const std::filesystem::path& path);
 
 } // namespace placedpar

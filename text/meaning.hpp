@@ -11,15 +11,15 @@ struct NamedMeaning {
     std::string name, about;
 };
 
-/// Returns the names that fit the wanted words by meaning, in the order of the list. A name fits if the name and its
-/// description together have all wanted words. Inflected words fit each other ("simulate", "simulation"). Numbers and
-/// single letters must be equal and stand next to each other: "figure-4-6" fits "figures-4-6-4-7", and "a description
-/// that has (Figure 4.6)", but not "figure-4-9".
+/// Returns the names that a user may mean by the wanted words, in the order of the list. A name fits if all wanted
+/// words are in the name or in its description. Forms of one word fit each other ("simulate", "simulation"). Numbers
+/// and single letters must be equal and stand next to each other. The wanted words "figure-4-6" thus fit the name
+/// "figures-4-6-4-7" and a description with "Figure 4.6". They do not fit "figure-4-9".
 std::vector<std::string> names_by_meaning(std::string_view wanted, const std::vector<NamedMeaning>&);
 
-/// Returns `unknown WHAT "wanted"; did you mean "name"?`. Lists the names that fit by meaning, at most three. If none
-/// or more than three fit, suggests the name with the nearest spelling instead. If no name is near, the text after the
-/// semicolon is `otherwise`.
+/// Returns `unknown WHAT "wanted"; did you mean "name"?`, with the names that names_by_meaning() returns. If it returns
+/// none or more than three, the text has the name with the most similar spelling. If no name is similar, the text after
+/// the semicolon is `otherwise`.
 std::string unknown_meaning(std::string_view what, std::string_view wanted, const std::vector<NamedMeaning>& candidates,
                             std::string_view otherwise);
 

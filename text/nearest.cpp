@@ -71,7 +71,8 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
         return grouped;
     auto wanted_lower = lower_case(wanted);
     std::string best;
-    // A distance consists of two numbers of edits. The first one ignores case, and the second one does not.
+    // A distance is a pair of numbers of edits: the first number ignores upper and lower case, the second number does
+    // not.
     std::pair best_distance(most_edits(wanted) + 1, std::size_t{0});
     for (const auto& candidate : candidates) {
         if (candidate.size() > longest_word || candidate == wanted)

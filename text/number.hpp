@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Returns the number that the whole text spells, in the syntax of C++. Returns nullopt if the text is anything else,
-/// has blanks around the number, or exceeds the type's range. "inf" and "nan" are floating-point numbers.
+/// Returns the number that the text spells, in the syntax of std::from_chars. Returns nullopt if anything else is in
+/// the text, such as a blank, or if the number exceeds the type's range. "inf" and "nan" are floating-point numbers.
 template <class Number, class... Base>
 std::optional<Number> parse_number(std::string_view text, Base... base) {
     Number number{};

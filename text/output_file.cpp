@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, int error) { refuse(path, std::strerror(error)); }
 
-/// Returns the path at the end of a chain of symbolic links. No file need exist at this path.
+/// Returns the path to which a chain of symbolic links leads. A file need not exist there.
 fs::path follow_links(const fs::path& path) {
     constexpr int most_links = 40; // the same limit as in Linux
     fs::path end = path;
@@ -37,14 +37,15 @@ fs::path follow_links(const fs::path& path) {
     return end;
 }
 
-/// Returns whether the file's permissions allow writing. Permissions are respected even for root, who could write every
+/// Returns whether the file's permissions allow someone to write. This is checked for root, too, who could write every
 /// file.
 bool may_write(const fs::path& path, const struct stat& file) {
     constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;
 }
 
-/// Returns the file that finally gets the content. Throws if it is a folder or must not be written.
+/// Returns the path of the file that gets the content at the end. Throws UserError if this is a folder, or must not be
+/// written.
 fs::path destination_of(const fs::path& path) {
     if (is_standard_stream(path))
         return path;

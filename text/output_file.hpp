@@ -10,24 +10,23 @@
 
 namespace placedpar {
 
-/// A file that is written completely or not at all. The content goes to a temporary file, which replaces the file at
-/// the end. A symbolic link stays, and its target is written; an existing file keeps its permissions. A device or a
-/// pipe cannot be replaced, so it is written directly; so is standard output, which is the path "-"
-/// (text/standard_streams.hpp).
+/// A file that is written completely or not at all. The content goes to a temporary file, which replaces the
+/// destination at the end. If the path is a symbolic link, the target of the link is replaced. A replaced file passes
+/// on its permissions. A device, a pipe and standard output (the path "-", text/standard_streams.hpp) cannot be
+/// replaced: they are written directly.
 class OutputFile {
 public:
-    /// Throws UserError, which names the file and the reason.
+    /// Throws UserError if the file cannot be written; the error names the file and the reason.
     explicit OutputFile(const std::filesystem::path&);
-    /// Removes the temporary file unless finish() has replaced the destination with it.
+    /// Removes the temporary file, if it has not replaced the destination.
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Appends the text. An error is kept for finish() to report, so that write() can be called where nothing may
-    /// throw.
+    /// Appends the text. After an error, finish() throws; write() itself never throws, so that destructors can call it.
     void write(std::string_view) noexcept;
-    /// Throws UserError if the file could not be written completely. It is not an error if the reader of standard
-    /// output stops reading.
+    /// Completes the file, and replaces the destination with it. Throws UserError if the file could not be written
+    /// completely. If the reader of standard output stops reading, this counts as success.
     void finish();
 
 private:
@@ -42,27 +41,27 @@ private:
     int error_ = 0;
 };
 
-/// Throws UserError, which names the file and the reason.
+/// Throws UserError if the file cannot be written; the error names the file and the reason.
 void write_whole(const std::filesystem::path&, std::string_view content);
 
-/// Throws UserError if an OutputFile of this path would certainly fail: a folder is missing, the file must not be
-/// written, or standard output goes to the same file. Call it before a long run, so that the run is not lost. If the
-/// path is "-", reserves standard output for the file.
+/// Checks a path before a long run, so that the results are not lost. Throws UserError if an OutputFile of this path
+/// would certainly fail: a folder is missing, the file is protected, or standard output is redirected to this file. If
+/// the path is "-", calls give_standard_output_to_a_file().
 void require_writable(const std::filesystem::path&);
 
-/// Throws UserError if one of the outputs is also the input or another output. An empty path stands for no file.
-/// Standard input and standard output, both "-", are different.
+/// Throws UserError if one of the outputs is also the input or another output. An empty path means that there is no
+/// such file. The input "-" is standard input, the output "-" is standard output; these are different.
 void require_apart(std::span<const std::filesystem::path> outputs, const std::filesystem::path& input);
 
-/// Writes to standard output immediately; if standard output receives a file, writes to standard error as print_error()
-/// does. Throws UserError if the text could not be written completely. All output of commands uses this function, so
-/// that a report lost to a full disk does not look like success. If the reader has gone, as with `head`, the command
-/// continues and writes its files. Control characters in names and messages are made visible and cannot control the
-/// terminal: escaped_but_paint(). REQUIRES: SIGPIPE is ignored.
+/// Writes to standard output immediately. If the user has directed an output file to standard output ("-"), writes to
+/// standard error, as print_error() does. Throws UserError if the text could not be written completely: all output of
+/// commands uses this function, so that a full disk is noticed. If the reader of standard output has gone, as after `|
+/// head`, nothing is thrown, and the command can still write its files. Control characters are shown as escapes, so
+/// that no text can control the terminal (escaped_but_paint()). REQUIRES: SIGPIPE is ignored.
 void print_out(std::string_view text);
 
-/// Writes the terminal control sequence `control` and then the text, escaped as in print_out(), to standard error. If
-/// standard error cannot be written, the text is lost, and nothing else changes.
+/// Writes the terminal control sequence `control`, then the text with control characters as escapes, to standard error.
+/// If this fails, the text is lost, and the program continues.
 void print_error(std::string_view text, std::string_view control = "") noexcept;
 
 } // namespace placedpar

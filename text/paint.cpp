@@ -29,8 +29,8 @@ const char* rendition(Paint paint) {
     return "";
 }
 
-/// Returns the mark that painted() writes where the control sequence of a colour begins; escaped_but_paint() replaces
-/// the mark. The mark is random in each run, so that no text from outside can contain it.
+/// Returns the mark that painted() writes where a colour begins or ends. escaped_but_paint() replaces the mark by a
+/// control sequence. The mark is random in each run, so that no text from users can contain it.
 const std::string& mark() {
     static const std::string drawn = [] {
         std::random_device device;

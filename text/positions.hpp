@@ -8,23 +8,24 @@
 
 namespace placedpar {
 
-/// A place in a text as editors count it: lines from 0, characters from 0 in units of UTF-16. Characters beyond the
-/// Basic Multilingual Plane have two units.
+/// A place in a text as the Language Server Protocol of editors counts it. Lines count from 0. Within a line, units of
+/// UTF-16 count from 0; a character beyond the Basic Multilingual Plane has two units.
 struct Position {
     std::size_t line = 0, character = 0;
 };
 
-/// Converts between positions and offsets in bytes. A byte that is not UTF-8 counts as one unit.
+/// Converts between positions and offsets in bytes of one text. A byte that is not UTF-8 counts as one unit.
 class Positions {
 public:
     /// REQUIRES: the text outlives this object and does not change.
     explicit Positions(std::string_view text);
 
-    /// Returns the number of lines. Lines end with a line feed, a carriage return, or both; the last line has no end.
+    /// Returns the number of lines. Lines end with a line feed, a carriage return, or both. What follows the last line
+    /// end is a line, too.
     std::size_t lines() const { return starts_.size(); }
-    /// Returns the offset of a position. A position beyond the end of its line means the end of the line. A position in
-    /// the middle of a character means the beginning of the character. The line directly after the last line means the
-    /// end of the text; for later lines throws std::out_of_range.
+    /// Returns the offset of a position. A position beyond the end of its line counts as the end of the line. A
+    /// position within a character counts as the beginning of the character. A position in the line after the last line
+    /// counts as the end of the text. For later lines throws std::out_of_range.
     std::size_t offset(Position) const;
     Position position(std::size_t offset) const;
 
@@ -36,11 +37,11 @@ private:
 /// Returns the offset of a location in the text of its file. REQUIRES: the location has a file.
 std::size_t offset_of(const Location&);
 
-/// Selects the form of the names in a text. In occam, dots are part of a name; in a netlist, a dot ends the name.
+/// Selects the language of a text. In occam, a name may contain dots; in a netlist, a dot ends a name.
 enum class NamesOf { netlist, occam };
 
-/// Returns the place after the word that begins at a location: after a name, a number or a string in quotes, or after
-/// one other character. Returns the location itself at the end of a line, and for a whole file (line 0).
+/// Returns the place after the word that begins at a location. A word is a name, a number, a string in quotes, or one
+/// other character. Returns the location itself at the end of a line, and if the location means a whole file (line 0).
 Location end_of_word(const Location&, NamesOf);
 
 } // namespace placedpar

@@ -4,12 +4,11 @@
 
 namespace placedpar {
 
-/// Returns the program's name in help and messages: "placedpar", or the name of another program that uses
-/// run_program().
+/// Returns the program's name in help and messages: "placedpar", or the name that set_program_name() has set.
 const std::string& program_name();
-/// Sets the name. REQUIRES: called by one thread, before any message.
+/// Sets the name, for a user's program that is built on PlacedPar. REQUIRES: called by one thread, before any message.
 void set_program_name(std::string name);
-/// Quotes the text so that a shell reads it as one word of a command.
+/// Returns the text in quotes, if a shell needs them to read the text as one word of a command.
 std::string shell_word(const std::string& text);
 
 } // namespace placedpar

@@ -12,9 +12,9 @@ namespace placedpar {
 
 namespace {
 
-/// The ranks of all figures, added up for each group.
+/// The sums of the ranks of each group's figures, where the figures of all groups are ranked together.
 struct RankSums {
-    std::vector<double> sums, sizes; ///< by group
+    std::vector<double> sums, sizes; ///< one element for each group
     double size = 0;                 ///< number of all figures
     double ties = 0;                 ///< sum of t^3 - t over the sets of t equal figures
 };
@@ -41,10 +41,10 @@ RankSums rank_sums(const std::vector<std::vector<double>>& groups) {
     return ranks;
 }
 
-/// Counts the ways to arrange m figures of a first group and n figures of a second group by size. A pair has one figure
-/// of each group. Element u of the result is the number of ways in which, in exactly u pairs, the greater figure
-/// belongs to the first group. These numbers are the coefficients of the Gaussian binomial, the product over i = 1 .. m
-/// of (1 - q^(n + i)) / (1 - q^i).
+/// Counts the orders of m figures of a first group and n figures of a second group. A pair has one figure of each
+/// group. Element u of the result is the number of orders in which the greater figure belongs to the first group in
+/// exactly u pairs. These numbers are the coefficients of the Gaussian binomial, the product over i = 1 .. m of (1 -
+/// q^(n + i)) / (1 - q^i).
 std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     std::vector<double> orders(m * n + 1);
     orders[0] = 1;
@@ -57,8 +57,8 @@ std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
     return orders;
 }
 
-/// Returns the two-sided probability: twice the probability that at least `pairs` pairs have the greater figure in the
-/// first group, but at most 1.
+/// Returns the two-sided probability, at most 1: twice the probability that the greater figure belongs to the first
+/// group in at least `pairs` pairs.
 double exact_p(std::size_t m, std::size_t n, double pairs) {
     const std::vector<double> orders = orders_by_pairs(m, n);
     double all = 0, extreme = 0;

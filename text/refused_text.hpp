@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Reports that a text was refused, with its diagnostics. what() is their rendered text.
+/// Reports that a user's text was refused. Has the diagnostics as objects; what() is the text of render(diagnostics).
 class RefusedText : public RefusedInput {
 public:
     explicit RefusedText(std::vector<Diagnostic> diagnostics)

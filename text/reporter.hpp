@@ -13,41 +13,43 @@
 namespace placedpar {
 
 inline constexpr std::size_t most_errors = 20;
-/// The number of errors at which reading stops. Errors beyond most_errors are only counted.
+/// Reading stops at this number of errors. Errors beyond the first most_errors are only counted.
 inline constexpr std::size_t most_counted_errors = 1000;
 inline constexpr std::size_t most_warnings = 200;
-/// Reading also stops after this many errors at places that already have an error. A line in a loop causes such errors.
+/// Reading also stops after this many errors at places that already have an error. A statement in a loop can cause such
+/// errors.
 inline constexpr std::size_t most_repeated = 50;
 
-/// Thrown to stop reading after too many errors, or when a limit is exceeded. The last diagnostic gives the reason. The
-/// reader that owns the reporter catches this exception, so it never reaches the user.
+/// Thrown to stop reading a text after too many errors, or when a limit is exceeded. The function that owns the
+/// Reporter catches this exception and shows the diagnostics; the last one gives the reason.
 struct GiveUp {};
 
-/// Collects the errors and warnings that are found while a text is read.
+/// Collects the errors and warnings that are found while a user's text, such as a netlist, is read.
 class Reporter {
 public:
-    /// Keeps at most one error per place, and most_errors in total. Throws GiveUp at error number most_counted_errors,
-    /// and at the most_repeated-th error at a place that already had one.
+    /// Adds an error. Ignores it if its place already has an error. Keeps only the first most_errors errors, and counts
+    /// the others. Throws GiveUp when most_counted_errors errors have been counted, or most_repeated errors have been
+    /// ignored.
     void error(const Location& location, std::string message, std::string hint = "",
                std::vector<SecondPlace> others = {});
-    /// Reports the last error, and throws GiveUp.
+    /// Adds an error, and throws GiveUp: reading cannot continue after this error.
     [[noreturn]] void give_up(const Location& location, std::string message, std::vector<SecondPlace> others = {});
     void warning(const Location& location, std::string message, std::string hint = "");
-    /// Adds the note "included here", with the place `at`, to each later diagnostic in `file`.
+    /// Tells that `file` is included at `at`. Each later diagnostic in `file` gets the note "included here".
     void add_included(const std::shared_ptr<const SourceFile>& file, const Location& at) { included_[file] = at; }
-    /// Records that an option at `at` gave `name` another value. Each later diagnostic in a line that uses the name
-    /// refers to the option, since the value may be the cause.
+    /// Tells that an option has given `name` another value; `at` is the place of the option. Each later diagnostic in a
+    /// line that uses the name also shows the option, since its value may be the cause.
     void add_option(const std::string& name, const Location& at) { options_[name] = at; }
-    /// Forgets all earlier reports and keeps only this error.
+    /// Replaces all errors and warnings so far by this error.
     void replace_all(const Location& location, std::string message, std::string hint);
 
     bool failed() const { return errors_ > 0; }
-    /// Returns whether another error would be kept. Only then is it worthwhile to compute a hint.
+    /// Returns whether another error would be kept. If not, the caller need not compute a hint.
     bool keeps_more() const { return errors_ < most_errors; }
     /// Returns the file of the first error; null if there is no error or the error has no file.
     std::shared_ptr<const SourceFile> first_file() const;
     std::vector<Diagnostic> take() { return std::move(diagnostics_); }
-    /// Returns a note on the errors and warnings that were not kept; "" if all were kept.
+    /// Returns a text that tells how many errors and warnings were not kept; "" if all were kept.
     std::string not_shown() const;
 
 private:

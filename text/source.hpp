@@ -8,10 +8,11 @@
 
 namespace placedpar {
 
-/// A text from a file or from elsewhere, such as the argument of "--set".
+/// The text of a file, or of something else to which messages refer, such as the argument of the option "--set".
 class SourceFile {
 public:
-    /// `first_line` is above 1 if the text is a piece of a longer text.
+    /// `shown_path` is the name in messages. `first_line` is the number of the text's first line; above 1 if the text
+    /// is a later piece of a longer text.
     SourceFile(std::string shown_path, std::string text, std::size_t first_line = 1);
 
     /// Returns the path as messages show it.
@@ -28,9 +29,9 @@ private:
     std::vector<std::size_t> line_starts_;
 };
 
-/// A place in a source. Lines and columns count from 1; a column counts bytes. Line 0 means the source as a whole. A
-/// location without a file is a place in a text whose name only the caller knows; if its line is 0 as well, the
-/// location is empty.
+/// A place in a source. Lines and columns count from 1; columns count bytes. Line 0 means the source as a whole. A
+/// location without a file and with a line is for readers that do not know the name of their file. A location without a
+/// file and with line 0 is empty.
 struct Location {
     std::shared_ptr<const SourceFile> file;
     std::size_t line = 0;

@@ -14,13 +14,12 @@ double percent_within(const std::vector<double>& values, double limit);
 /// one value.
 double median(std::vector<double> values);
 
-/// Returns the middle value, or the lower of the two middle values: quantile(values, 0.5). Tables of search results use
-/// this median, because it is a value that a search found. REQUIRES: at least one value.
+/// Returns the middle value, or the lower of the two middle values. Tables of search results use this median, because
+/// it is a value that a search has found, and not a mean of two. REQUIRES: at least one value.
 double lower_median(std::vector<double> values);
 
-/// Returns the value with number ceil(share * size), counted from 1, in ascending order (nearest rank); the least value
-/// if the share is 0. At least this share of the values is at most as great as the result. REQUIRES: at least one
-/// value, 0 <= share <= 1.
+/// Returns the quantile by nearest rank: the value with number ceil(share * size) in ascending order, counted from 1.
+/// Returns the least value if the share is 0. REQUIRES: at least one value, 0 <= share <= 1.
 double quantile(std::vector<double> values, double share);
 
 } // namespace placedpar

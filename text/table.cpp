@@ -131,7 +131,7 @@ void add_line(TextTable& table, std::string_view line, std::size_t number, std::
     table.header = std::move(row);
 }
 
-/// Returns whether a number outside the range of a double is too near to 0 (true) or too large (false).
+/// Returns whether a number outside the range of a double is too near to 0; otherwise it is too large.
 bool is_tiny(std::string_view number) {
     return number.find("e-") != std::string_view::npos || number.find("E-") != std::string_view::npos;
 }

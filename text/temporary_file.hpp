@@ -4,19 +4,20 @@
 
 namespace placedpar {
 
-/// A file that is written in the destination's folder and then replaces the destination. Until then the file has no
-/// name, if the file system supports this, so nothing is left even if the program is killed. Otherwise its name is the
-/// destination's name followed by the process number and ".part".
+/// A new file in the folder of another file, the destination. When the new file is complete, it replaces the
+/// destination in one step. Until then it has no name, if the file system supports this; nothing is then left if the
+/// program is killed. On other file systems, its name is that of the destination followed by the process number and
+/// ".part".
 class TemporaryFile {
 public:
     /// Creates the file with the usual permissions of a new file. If this fails, errno has the reason.
     explicit TemporaryFile(const std::filesystem::path& destination);
-    /// Removes the file unless it has replaced the destination.
+    /// Removes the file, if it has not replaced the destination.
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-    /// Returns the file's descriptor; below 0 if the file could not be opened.
+    /// Returns the descriptor of the file; below 0 if the file could not be created.
     int descriptor() const { return file_; }
     /// Replaces the destination, or creates it, in one step. Returns false if this fails; errno then has the reason.
     /// REQUIRES: the file is open; take_place() is called once.

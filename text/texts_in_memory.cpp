@@ -8,7 +8,7 @@ namespace {
 
 thread_local const TextsInMemory* texts_of_thread = nullptr;
 
-/// Returns a name of the file that is the same for all ways to write its path.
+/// Returns a name of the file that does not depend on how its path is written.
 std::string key_of(const std::filesystem::path& path) {
     std::error_code error;
     const auto absolute = std::filesystem::absolute(path, error);

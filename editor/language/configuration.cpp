@@ -28,7 +28,7 @@ std::string text_of_end(const Configured& configured, const occam::WireEnd& end)
     return end.is_edge ? name : fmt::format("{} link {}", name, end.link);
 }
 
-/// Returns what the wires of a node or an edge lead to.
+/// Returns a text that tells where the wires of a node or an edge lead.
 std::string text_of_wires(const Configured& configured, const Element& element) {
     std::vector<std::string> texts;
     for (const occam::WrittenWire& wire : configured.wires)
@@ -92,7 +92,7 @@ std::string_view line_before(const SourceFile& file, const Location& at) {
     return line.substr(std::min(line.find_first_not_of(' '), line.size()));
 }
 
-/// Returns the types of the names that can follow a word; none if other words can follow, too.
+/// Returns the types of the names that can follow a word; empty if other words can follow, too.
 std::vector<std::string_view> types_after(std::string_view before) {
     const std::size_t end = before.find_last_of(' '), last = before.find_last_not_of(' ', end);
     if (end == before.npos || last == before.npos || before.find('[', end) != before.npos)

@@ -18,7 +18,7 @@ using Tokens = std::vector<Token>;
 
 /// Returns the index of the first token of the statement that a token belongs to.
 std::size_t statement_start(const Tokens& tokens, std::size_t index) {
-    int open = 0; // number of array constants that end before the token and whose beginning has not been reached
+    int open = 0; // number of `}` passed on the way back whose `{` has not been reached
     for (; index > 0; --index) {
         const Token& before = tokens[index - 1];
         if (before.is(";") && open == 0)
@@ -82,7 +82,7 @@ NetlistContext in_attributes(const Tokens& tokens, std::size_t index, std::size_
     return context;
 }
 
-/// Returns whether the parentheses in a statement enclose attributes, rather than an expression.
+/// Returns whether the parentheses in a statement contain attributes. Otherwise they contain an expression.
 bool opens_attributes(const Tokens& tokens, std::size_t first, std::size_t parenthesis) {
     static constexpr std::array<std::string_view, 4> with_expressions{"val", "rep", "if", "use"};
     const bool follows_name =

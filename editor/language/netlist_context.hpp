@@ -9,42 +9,43 @@
 
 namespace placedpar::editor {
 
-/// Describes which words are possible at a place of a netlist, according to the preceding words of the statement.
+/// Tells which words an editor can offer at a place of a netlist. The preceding words of the statement determine them.
 struct NetlistContext {
     enum class Place {
         statement, ///< a statement begins here
         file,      ///< the name of an included file
         program,   ///< the string after `use`
-        member,    ///< after a dot: a port, a link, a parameter or an attribute of `owner`
-        attribute, ///< in the parentheses of `owner`: the name of an attribute or parameter
+        member,    ///< after `owner` and a dot: a port, a link, a parameter or an attribute
+        attribute, ///< in the parentheses after `owner`: the name of an attribute or parameter
         value,     ///< an expression; the value of an attribute if `attribute` is set
-        thing,     ///< a declared thing, after `connect`, `place`, `to`, `on`, `by` and the like
+        thing,     ///< a declared name, after `connect`, `place`, `to`, `on`, `by` and the like
         fault,     ///< the name of a fault
         new_name,  ///< a name that is being declared
-        nothing    ///< within a word that cannot be completed
+        nothing    ///< nothing can be offered here
     };
     Place place = Place::statement;
     std::string owner = "";     ///< the name or type before the dot or the parentheses
-    std::string attribute = ""; ///< the attribute whose value is at this place
-    std::string fault = "";     ///< if not "", the attributes belong to this fault of `owner`
+    std::string attribute = ""; ///< for Place::value, the attribute that gets the value; "" if none
+    std::string fault = "";     ///< fault to which the attributes in the parentheses belong; "": they belong to `owner`
     std::string word = "";      ///< for Place::thing, the word before this place, such as "place"
 };
 
 /// Returns the context at the token with this index.
 NetlistContext context_of(const std::vector<Token>&, std::size_t index);
 
-/// Describes a thing whose members an editor can suggest.
+/// Describes a declared name or a type, so that an editor can offer its ports, links, parameters and attributes.
 struct NetlistOwner {
-    const NetlistName* name = nullptr;                  ///< null for a type or a predefined name
-    const ProcessKind* kind = nullptr;                  ///< kind of a process; null if the kind is unknown
-    std::shared_ptr<const DeviceKind> device = nullptr; ///< device of a node or type; null if it is unknown
-    int links = 0;                                      ///< number of links of a node or type
+    const NetlistName* name = nullptr; ///< declaration of the name; null for a predefined name or type
+    const ProcessKind* kind = nullptr; ///< kind of a process; null if the kind is unknown
+    std::shared_ptr<const DeviceKind> device =
+        nullptr;   ///< device of a node, or of a type of nodes; null if it is unknown
+    int links = 0; ///< number of links of a node or type
 };
 NetlistOwner owner_of(const NetlistSyntax&, const Catalogue&, const std::string& name);
 
-/// Returns the attributes and parameters that can be given in the parentheses of a context.
+/// Returns the attributes and parameters that are possible in the parentheses at a place.
 std::vector<ParameterDescription> attributes_in(const NetlistSyntax&, const Catalogue&, const NetlistContext&);
-/// Returns the faults that the thing, or one of its links, can have.
+/// Returns the faults that a device, or one of its links, can have.
 std::vector<FaultKind> faults_of(const NetlistOwner&);
 
 } // namespace placedpar::editor

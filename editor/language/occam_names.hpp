@@ -8,10 +8,11 @@
 
 namespace placedpar::editor {
 
-/// Returns the name at a place or directly before it, and the column of the name's first character.
+/// Returns the name in an occam text that contains a place or ends there, and the column of its first character. The
+/// name is "" if there is none.
 std::pair<std::string, std::size_t> name_at(const SourceFile&, const Location&);
-/// Returns the declaration of the name at a place of the main file; null if there is no name, or if the name is not
-/// declared.
+/// Returns the declaration of the name at a place of the program's main file; null if there is no name, or if the name
+/// is not declared.
 const occam::Declaration* meaning_at(const occam::Program&, const Location&);
 
 } // namespace placedpar::editor

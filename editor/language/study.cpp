@@ -23,11 +23,12 @@ namespace {
 
 using NamesByText = std::map<std::string, StudyName>;
 
-/// Describes the place to which the keys around a word lead.
+/// Describes a place in a study, a TOML file about experiments with a netlist: the place to which the keys before a
+/// word lead.
 struct StudyPlace {
     StudyPart part = StudyPart::whole;
-    std::optional<StudyKey> key = {}; ///< the last key that the reader of studies knows
-    std::string name = "";            ///< the parts of a name behind this key, each with a dot: "master.trials."
+    std::optional<StudyKey> key = {}; ///< the last of these keys that a study can have
+    std::string name = ""; ///< the parts of a netlist's name after this key, each with a dot: "master.trials."
 };
 
 bool has_names(StudyPart part) { return study_keys(part).empty(); }
@@ -39,8 +40,8 @@ std::optional<StudyKey> key_of(StudyPart part, const std::string& name) {
     return std::nullopt;
 }
 
-/// Follows the keys before a word from the whole study. Returns nothing if a key is unknown, or if its value has no
-/// members.
+/// Follows the keys before a word, from the top of the study. Returns nothing if a key is unknown, or if its value has
+/// no members.
 std::optional<StudyPlace> place_of(const StudyWord& word) {
     StudyPlace place;
     for (std::size_t i = 0; i < word.path.size(); ++i) {
@@ -73,7 +74,7 @@ std::string without_subscripts(std::string_view text) {
     return name;
 }
 
-/// Returns the name of a measure or setting in an expression, around an offset of the expression.
+/// Returns the name in an expression that contains the character at an offset.
 std::string name_around(const std::string& text, std::size_t offset) {
     std::size_t first = std::min(offset, text.size()), end = first;
     while (first > 0 && is_in_measure(text[first - 1]))
@@ -90,7 +91,8 @@ const NamesByText& names_under(StudyPart part, const StudyNames& names) {
     return part == StudyPart::settings ? names.settings : part == StudyPart::programs ? names.programs : none;
 }
 
-/// Returns the names that a value can have. An expression has no names with dots: `trials` stands for `master.trials`.
+/// Returns the netlist's names that a value of the study can use. In an expression, names have no dots: `trials` means
+/// `master.trials`.
 NamesByText names_for(StudyWords words, const StudyNames& names) {
     NamesByText all;
     if (words == StudyWords::conditions || words == StudyWords::figures)
@@ -111,7 +113,7 @@ const StudyWord* word_at(const StudyText& text, const Location& at) {
     return found == text.words.end() ? nullptr : &*found;
 }
 
-/// Returns the meaning of a name of the netlist at a place; nothing if there is no such name.
+/// Returns the meaning of the word at a place, if it is a name of the netlist; nothing otherwise.
 std::optional<StudyName> meaning_of(const StudyWord& word, const StudyPlace& place, const StudyNames& names,
                                     std::size_t offset) {
     if (!word.is_key && !place.key)
@@ -122,7 +124,7 @@ std::optional<StudyName> meaning_of(const StudyWord& word, const StudyPlace& pla
     return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Collects completions at the end of a text.
+/// Collects the words that an editor can offer at the end of a text.
 class StudyCompletions {
 public:
     StudyCompletions(const StudyText& before, const StudyNames& names, const Catalogue& catalogue)
@@ -203,7 +205,7 @@ private:
             found_.push_back({each == "true" || each == "false" ? each : quoted(each), Completion::Kind::value});
     }
 
-    /// Adds the rest of the names that begin with the parts that were typed, up to the last dot.
+    /// Adds the names that begin with the typed text up to its last dot, without this beginning.
     void add_names(const NamesByText& names, const std::string& typed) {
         const std::string parts = without_subscripts(typed.substr(0, typed.rfind('.') + 1));
         for (const auto& [name, meaning] : names)
@@ -226,7 +228,7 @@ Location location_at(const std::shared_ptr<const SourceFile>& file, std::size_t 
     return {file, static_cast<std::size_t>(std::ranges::count(before, '\n')) + 1, offset - start + 1};
 }
 
-/// Returns where the table with this name has its name; nothing if there is none.
+/// Returns the place of the name of a table; nothing if there is no table of this name.
 std::optional<Location> table_named(const StudyText& text, const std::string& name, const Location& at) {
     for (const StudyWord& each : text.words)
         if (!each.is_key && each.text == name && each.path == std::vector<std::string>{"table", "name"})

@@ -22,20 +22,21 @@ enum class ErrorCode : int {
     request_failed = -32803
 };
 
-/// Reports that a request cannot be answered.
+/// Reports that an editor's request cannot be answered. The editor gets the code and the text.
 struct RequestError : std::runtime_error {
     RequestError(ErrorCode error, const std::string& why) : std::runtime_error(why), code(error) {}
     ErrorCode code;
 };
 
-// These functions return a member of an object. They throw RequestError if the member is missing or has another type.
+// These functions return the member `name` of a JSON object. They throw RequestError if the member is missing or has
+// another type.
 
 const boost::json::object& object_in(const boost::json::object&, std::string_view name);
 const boost::json::array& array_in(const boost::json::object&, std::string_view name);
 std::string text_in(const boost::json::object&, std::string_view name);
-/// Returns a whole number that is not negative.
+/// Returns the member if it is a whole number, 0 or greater.
 std::uint64_t number_in(const boost::json::object&, std::string_view name);
-/// Returns a position, such as `{"line": 3, "character": 7}`.
+/// Returns the member if it is a position, such as `{"line": 3, "character": 7}`.
 Position position_in(const boost::json::object&, std::string_view name);
 
 } // namespace placedpar::editor

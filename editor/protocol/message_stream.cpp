@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view length_field = "content-length:";
 
-/// Returns the length that a header line states. Ignores text before the field, which may be left over from a malformed
-/// message.
+/// Returns the length that a header line states. Ignores text before the field Content-Length, which may be the rest of
+/// a malformed message.
 std::optional<std::size_t> length_in(const std::string& line) {
     const auto field = lower_case(line).rfind(length_field);
     if (field == std::string::npos)

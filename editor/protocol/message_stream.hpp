@@ -11,7 +11,7 @@ namespace placedpar::editor {
 
 inline constexpr std::size_t largest_message_bytes = std::size_t{64} << 20;
 
-/// Reports a header that does not state the length of its message.
+/// Reports that the header of a message does not state the message's length.
 struct BadHeader : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -23,8 +23,8 @@ public:
     /// REQUIRES: the streams outlive this object.
     MessageStream(std::istream& in, std::ostream& out) : in_(in), out_(out) {}
 
-    /// Returns the next message; nothing at the end of the input. Throws BadHeader if the header does not state the
-    /// length; the next call then continues with the next header.
+    /// Returns the next message; nothing at the end of the input. After a BadHeader, the next call continues with the
+    /// next header.
     std::optional<std::string> read();
     /// Returns whether more input has arrived already.
     bool has_more() const;

@@ -41,7 +41,7 @@ bool has_host(const Network& network, std::size_t node) {
     return false;
 }
 
-/// Checks that the node can execute code. `booted` is the node whose bootable file boots this node.
+/// Checks that the node can execute machine code. `booted` is the node whose bootable file has the code.
 void check_type(Completion& c, const Node& node, const Node& booted) {
     check_executes(c, node, {{"the file is named here", booted.boot_stated}});
 }
@@ -68,8 +68,9 @@ void check_boot(Completion& c, std::size_t index) {
     }
 }
 
-/// Returns the table of code and processes of the node's program. Reads the table from the file NAME.lines beside the
-/// bootable file, unless this run of PlacedPar has compiled the program. Returns null if there is no table.
+/// Returns the table of source lines and processes for the code in a node's bootable file; null if there is none. If
+/// PlacedPar has just compiled the code, it has the table; otherwise reads the file NAME.lines beside the bootable
+/// file.
 std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted) {
     if (const auto known = c.compiled.find(booted.boot_file); known != c.compiled.end())
         return known->second.lines;
@@ -83,7 +84,7 @@ std::shared_ptr<const SourceFile> table_beside(Completion& c, const Node& booted
     return source.problems.empty() ? source.file : nullptr;
 }
 
-/// Reads the node's section of the table. `section` is the name of the node in the table.
+/// Reads the part of the table for one node. `section` is the name of the node in the table.
 void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, Node& node, std::string_view section) {
     const auto model = transputer::model_named(node.type);
     if (!table || !model || node.code_lines)
@@ -96,8 +97,8 @@ void give_lines(Completion& c, const std::shared_ptr<const SourceFile>& table, N
     }
 }
 
-/// Marks the processors that execute the code of a booted processor: all processors without processes to which wires
-/// lead from the booted processor, directly or through other such processors. They are booted over their links.
+/// Marks the processors that a booted processor boots over their links, so that they execute its code. These are all
+/// processors without processes to which wires lead from it, directly or through other such processors.
 void reach(Completion& c, std::size_t from) {
     std::vector<std::size_t> reached{from};
     c.network.nodes[from].runs_own_code = true;

@@ -126,7 +126,7 @@ std::string Broadcasts::why_not(const NetworkChannel& channel, std::size_t bus) 
                                                 : "which no link adapter leads to");
 }
 
-/// Returns a hint that names the processors behind the sender's adapters.
+/// Returns a hint that names the processors to which the sender's link adapters lead.
 std::string Broadcasts::hint_at_adapters(const NetworkChannel& channel, std::size_t bus) const {
     constexpr std::size_t most = 4;
     std::vector<std::string> ends;
@@ -152,8 +152,8 @@ void Broadcasts::check() const {
             check(channel, out[channel.placement.route.front().connection]);
 }
 
-/// Reports a broadcast whose way also carries another channel. If the other channel is broadcast, too, reports only the
-/// second of the two channels.
+/// Reports a broadcast whose way over a bus also carries another channel. If the other channel is broadcast, too, one
+/// error is enough: only the second of the two channels is reported.
 void Broadcasts::check(const NetworkChannel& broadcast, const std::vector<const NetworkChannel*>& on_way) const {
     const NetworkChannel& other = *(on_way.front() == &broadcast ? on_way.back() : on_way.front());
     bool both = &other != &broadcast && other.placement.broadcast_on != nowhere;

@@ -9,14 +9,16 @@
 
 namespace placedpar {
 
-/// Finds the ways of the channels that the netlist places on a bus (`place p.out[i] on vme;`). The channels of one port
-/// array on one bus form a broadcast: each word written on the bus reaches the link adapters of all receivers.
+/// Finds the ways of the channels that the netlist places on a bus (`place p.out[i] on vme;`). A way is a path from the
+/// sender over the bus and a link adapter to a receiver. The channels of one port array on one bus form a broadcast:
+/// each word written on the bus reaches the link adapters of all receivers.
 class Broadcasts {
 public:
-    /// REQUIRES: both arguments outlive this object. `load` has the layout of RouteSearch's `load`.
+    /// REQUIRES: both arguments outlive this object. `load` counts the channels on each connection: see RouteSearch
+    /// (netlist/complete/routes.hpp).
     Broadcasts(Completion& completion, const std::vector<std::size_t>& load) : c_(completion), load_(load) {}
 
-    /// Describes a channel's end that the netlist places on a bus, and the placement.
+    /// Holds an end of a channel, and the statement that places this end on a bus.
     struct Placed {
         const ChannelEnd& end;
         const DraftPlacement& by;
@@ -25,10 +27,10 @@ public:
     std::optional<Placed> placed(const NetworkChannel&) const;
 
     /// Returns the way over the bus, through an adapter, to the receiver's processor. If several ways lead to this
-    /// processor, returns the way with the fewest channels; among these, the way to the processor's lowest link. Throws
-    /// StatementRefused after reporting an error.
+    /// processor, returns the way with the fewest channels. Among ways with equally many channels, returns the way to
+    /// the processor's lowest link. Throws StatementRefused after reporting an error.
     RouteHop way_of(const NetworkChannel&, const Placed&) const;
-    /// Reports each broadcast whose way carries another channel. REQUIRES: all channels have carriers.
+    /// Reports each broadcast whose way carries another channel. REQUIRES: all channels have their placements.
     void check() const;
 
 private:

@@ -11,7 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds the ways over buses to the network's connections. The kind of a bus computes the ways from the attachments.
+/// Adds the ways over buses, the paths from masters to slaves, to the connections of the network. The DeviceKind of a
+/// bus computes the ways from the devices attached to the bus.
 class Buses {
 public:
     explicit Buses(Completion& c) : c_(c) {}

@@ -13,10 +13,11 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses what carries each channel. Channels that the netlist places come first; then each other channel takes the
-/// best route (RouteCost). Both groups keep the netlist's order. Between neighbours the best route is the wire with the
-/// fewest channels in the channel's direction; among equal wires, the wire with the lowest link number at the sender. A
-/// channel to or from an edge takes one wire.
+/// Chooses what carries each channel: the memory of one processor, or a route over wires and buses. Channels that the
+/// netlist places on links come first. Then each other channel takes the best route (RouteCost in routes.hpp). Both
+/// groups keep the order of the netlist. Between neighbours, the best route is the wire with the fewest channels in
+/// this direction; among equal wires, the wire with the lowest link number at the sender. A channel to or from an edge,
+/// where the network ends, takes one wire.
 class Carriers {
 public:
     explicit Carriers(Completion& c)
@@ -52,7 +53,7 @@ public:
     }
 
 private:
-    /// Runs one step for one channel. A step that throws StatementRefused has already reported the error.
+    /// Runs one step for one channel. If the step throws StatementRefused, it has already reported the error.
     template <class Step>
     static void attempt(Step step) {
         try {
@@ -94,8 +95,8 @@ private:
         return result;
     }
 
-    /// Returns the search that finds routes for this channel. Channels between processes in occam can lead through
-    /// other processors than the rest of the channels.
+    /// Returns the search that finds routes for this channel. Channels between processes in occam may lead through
+    /// other processors than channels between processes in C++.
     RouteSearch& search(const NetworkChannel& channel) {
         return is_between_code(c_.network, channel) ? *search_for_code_ : search_;
     }
@@ -107,7 +108,8 @@ private:
                                                [&](auto& hop) { return load(hop) > 1 && !is_shared(hop.connection); });
     }
 
-    /// Returns whether the connection is a way (BusWay) that can carry any number of channels without packets.
+    /// Returns whether the connection is a way over a bus, or another Medium, that can carry any number of channels
+    /// without packets.
     bool is_shared(std::size_t connection) const {
         const auto& way = wires_[connection].over_bus;
         return way && c_.network.nodes[c_.network.attachments[way->master].bus].kind->medium->shares_ways;
@@ -121,8 +123,8 @@ private:
         throw StatementRefused{};
     }
 
-    /// Places a channel to an edge, or to a processor's own code, on the connection. Refuses a connection that does not
-    /// join the channel's process to this edge or processor.
+    /// Places a channel to an edge, or to the machine code of a processor, on the connection. Refuses a connection that
+    /// does not join the process at the other end of the channel to this edge or processor.
     void carry_to_edge(NetworkChannel& channel, std::size_t index, const Location& at) {
         const auto& connection = c_.network.connections[index];
         auto& outer = channel.from.at_edge() ? channel.from : channel.to;
@@ -140,8 +142,8 @@ private:
         ++load(channel.placement.route.front());
     }
 
-    /// Refuses two channels to a processor's own code on one direction of a wire. The code sends and receives only
-    /// bytes, so it could not tell the channels apart.
+    /// Refuses two channels to the machine code of a processor on one direction of a wire. The code sends and receives
+    /// only bytes, so that it could not tell the channels apart.
     void check_channels_to_code() {
         std::map<std::pair<std::size_t, bool>, const NetworkChannel*> first;
         for (const auto& channel : c_.network.channels)
@@ -173,7 +175,7 @@ private:
         channel.placement = {ChannelPlacement::Kind::link, std::move(route)};
     }
 
-    /// Returns the best route that takes these wires in this order. If there is no such route, reports an error, and
+    /// Returns the best route that uses these wires in this order. If there is no such route, reports an error and
     /// throws StatementRefused.
     std::vector<RouteHop> route_over(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         if (channel.from.node == nowhere || channel.to.node == nowhere)
@@ -203,8 +205,8 @@ private:
         return route;
     }
 
-    /// Returns the single hop of a channel over a connection that switches make during the run. Such a channel must
-    /// lead directly from the sender's processor to the receiver's processor.
+    /// Returns the route of a channel over a connection that switches make during the run. The route is a single hop:
+    /// such a connection must lead directly from the sender's processor to the receiver's processor.
     std::vector<RouteHop> route_over_switch(const NetworkChannel& channel, const std::vector<StatedRoute>& wires) {
         const auto& connection = wires_[wires.front().connection];
         bool forwards = connection.a.node == channel.from.node && connection.b.node == channel.to.node;
@@ -221,8 +223,8 @@ private:
         return {{wires.front().connection, forwards}};
     }
 
-    /// Returns a hop over a connection that switches make during the run between the two processors; nothing if there
-    /// is none. Chooses the connection with the fewest channels.
+    /// Returns a route over a connection that switches make during the run between the channel's two processors;
+    /// nothing if there is none. Chooses the connection with the fewest channels.
     std::optional<std::vector<RouteHop>> way_over_switch(const NetworkChannel& channel) {
         std::optional<RouteHop> best;
         auto between = between_.find({channel.from.node, channel.to.node});
@@ -235,8 +237,8 @@ private:
         return best ? std::optional(std::vector{*best}) : std::nullopt;
     }
 
-    /// Returns the shortest continuation of `route` that ends with `wire`. The continuation avoids the processors in
-    /// `passed` and, before the wire, the receiver's processor.
+    /// Returns the continuation of `route` with the fewest hops that ends with `wire`. The continuation avoids the
+    /// processors in `passed`. It may reach the receiver's processor only over `wire`.
     std::optional<std::vector<RouteHop>> way_on(const NetworkChannel& channel, const std::vector<RouteHop>& route,
                                                 const StatedRoute& wire, const std::set<std::size_t>& passed) {
         auto here = route.empty() ? channel.from.node : end_of(route.back(), wires_).node;
@@ -268,7 +270,8 @@ private:
         return text;
     }
 
-    /// Refuses the stated wire, and suggests the route that the channel would take if no wire were stated.
+    /// Refuses the wire that the netlist states, and suggests the route that the channel would take without the
+    /// statement.
     [[noreturn]] void refuse_route(const NetworkChannel& channel, const std::vector<StatedRoute>& wires,
                                    const StatedRoute& wire) {
         const auto& connection = wires_[wire.connection];
@@ -385,7 +388,8 @@ private:
             std::move(places));
     }
 
-    /// Adds a note for each other processor whose `linkquota` excludes some of its wired links.
+    /// Adds a note for each processor, except `from` and `to`, whose attribute `linkquota` keeps routes away from some
+    /// of its wired links.
     void add_quotas(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) const {
         for (std::size_t node = 0; node < c_.network.nodes.size(); ++node)
             if (node != from && node != to && search_.is_kept_by_quota(node))
@@ -394,8 +398,8 @@ private:
                                   c_.network.nodes[node].declared});
     }
 
-    /// Adds a note for each processor through which other channels can lead, but not a channel between processes in
-    /// occam.
+    /// Adds a note for each processor through which channels between processes in C++ could lead, but not channels
+    /// between processes in occam.
     void add_obstacles(std::vector<SecondPlace>& places, std::size_t from, std::size_t to) {
         const std::vector<RouteHop> route = search_.best(from, to).value_or(std::vector<RouteHop>{});
         for (std::size_t i = 0; i + 1 < route.size(); ++i) {
@@ -422,7 +426,8 @@ private:
 
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
-    std::vector<std::size_t> load_; ///< number of channels on each connection in each direction, as in RouteSearch
+    std::vector<std::size_t>
+        load_; ///< number of channels on each connection i: element 2 i from b to a, element 2 i + 1 from a to b
     RouteSearch search_;
     std::optional<RouteSearch> search_for_code_; ///< nothing if no process is in occam
     StatedRoutes stated_;

@@ -29,8 +29,8 @@ public:
 
 private:
     struct End {
-        Direction
-            direction; ///< direction as the processes see it, so an edge channel declared `input` counts as an output
+        Direction direction; ///< direction as a process at this end would see it: an edge channel that is declared
+                             ///< `input` counts as an output
         const PortDescription* port = nullptr;
     };
 
@@ -102,9 +102,8 @@ private:
         c_.draft_channel.push_back(draft);
     }
 
-    /// Returns whether the two ports carry the same messages. Two ports of processes in occam must have the same
-    /// protocol. A port of a process in occam agrees with a port of another process if their messages consist of the
-    /// same bytes.
+    /// Returns whether a channel may join the two ports. Two processes in occam must use the same protocol. A process
+    /// in occam and a process in C++ must use messages that consist of the same bytes.
     static bool agree(const PortDescription& a, const PortDescription& b) {
         if (a.type != b.type)
             return std::ranges::find(a.byte_types, b.bytes_as) != a.byte_types.end() ||
@@ -145,8 +144,8 @@ private:
             bindings_[end.process].push_back({end.port, direction, c_.network.channels.size()});
     }
 
-    /// Adds the channel of a port that is not connected, but placed on a link to an edge or to a processor that
-    /// executes its own code. INMOS's configurer icconf accepts this form for edges, too.
+    /// Adds the channel of a port that no `connect` names, but that is placed on a link to an edge or to a processor
+    /// that executes machine code. For edges, INMOS's configurer icconf accepts this form, too.
     void add_placed(std::size_t index, Direction direction, const std::string& name, const DraftPlacement& placement) {
         const auto& process = c_.draft.processes[index];
         std::size_t beyond = edge_behind(placement.where);
@@ -178,7 +177,7 @@ private:
         return connection.a.at_edge() ? connection.a.node : connection.b.at_edge() ? connection.b.node : nowhere;
     }
 
-    /// Returns the processor to which the link leads, if it executes its own code; otherwise nowhere.
+    /// Returns the processor to which the link leads, if this processor executes machine code; otherwise nowhere.
     std::size_t code_behind(const LinkEnd& end) const {
         auto wire = c_.connection_at.find({end.node, end.link});
         if (wire == c_.connection_at.end())
@@ -188,8 +187,8 @@ private:
         return c_.network.nodes[other].runs_own_code && !has_image(other) ? other : nowhere;
     }
 
-    /// Returns whether processes in occam are placed on the processor. A channel to such a process must be connected:
-    /// it is not enough to place the channel on a link to the processor.
+    /// Returns whether processes in occam are placed on the processor. A channel to such a process needs a `connect`
+    /// statement: placing the channel on a link to the processor is not enough.
     bool has_image(std::size_t node) const {
         for (std::size_t i = 0; i < c_.draft.processes.size(); ++i)
             if (c_.draft.processes[i].node == node && c_.kinds[i] != nullptr && c_.kinds[i]->is_code)
@@ -197,7 +196,8 @@ private:
         return false;
     }
 
-    /// Returns whether the channel can lead to the processor, which executes its own code; otherwise reports why not.
+    /// Returns whether the channel can lead to the processor, which executes machine code. Otherwise reports the
+    /// reason.
     bool can_lead_to_code(std::size_t index, const std::string& name, const DraftPlacement& placement,
                           std::size_t node) {
         const DraftProcess& process = c_.draft.processes[index];
@@ -236,8 +236,8 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Refuses a channel that is placed on the link of a processor that executes its own code. If the other end of the
-    /// wire is on the process's processor, the hint names this end.
+    /// Refuses a channel that is placed on a link of a processor that executes machine code. If the wire at this link
+    /// leads to the processor of the channel's process, the hint names the link there.
     void refuse_placed_at_code(const DraftProcess& process, const std::string& port, const DraftPlacement& placement) {
         const std::string channel = process.name + "." + port;
         auto wire = c_.connection_at.find({placement.where.node, placement.where.link});
@@ -269,7 +269,8 @@ private:
         c_.network.processes[index].ports = bindings;
     }
 
-    /// Returns the port's position among the kind's ports, or in the interface of a process without a kind.
+    /// Returns the position of the port among the ports of the process's kind. If the kind is unknown, returns the
+    /// position in the declared interface.
     std::size_t order(std::size_t index, std::string_view port) const {
         auto position = [&](const auto& ports) {
             return static_cast<std::size_t>(find_named(ports, base_name(port)) - ports.data());
@@ -299,9 +300,9 @@ private:
         return known != nullptr && known->optional;
     }
 
-    /// Reports an unconnected channel, unless an earlier error may be the cause. If a `connect` names the channel, the
-    /// cause may be that a `connect` was refused. If none names it, the cause may be that a `connect` names another
-    /// channel, which the process does not have.
+    /// Reports an unconnected channel, if no earlier error can be the cause. If a `connect` names the channel, a
+    /// refused `connect` can be the cause. If no `connect` names it, a `connect` that names a channel that the process
+    /// does not have can be the cause.
     void refuse_unconnected(std::size_t index, const Location& at, const std::string& port) {
         if (mentioned_.contains({index, std::string(base_name(port))}) ? refused_ : misnamed_.contains(index))
             return;
@@ -310,7 +311,8 @@ private:
                           fmt::format("connect {}.{} to ...;", process.name, port));
     }
 
-    /// Checks a process without an interface: each port that its kind requires must be connected or placed.
+    /// Checks a process for which the netlist declares no interface: each port that its kind requires must be connected
+    /// or placed.
     void check_kind(std::size_t index, const ProcessKind& kind) {
         const auto& process = c_.draft.processes[index];
         check_placed(index, kind);
@@ -323,7 +325,7 @@ private:
         }
     }
 
-    /// Returns the subscripts of the port's connected ends in ascending order.
+    /// Returns the subscripts of the connected elements of a port, in ascending order.
     std::vector<std::vector<std::int64_t>> subscripts_used(std::size_t index, const std::string& port) const {
         std::vector<std::vector<std::int64_t>> used;
         for (const auto& binding : bindings_[index])
@@ -333,8 +335,8 @@ private:
         return used;
     }
 
-    /// Returns true if the port has a single end without a subscript, or ends numbered 0, 1, 2 ... Otherwise reports an
-    /// error, and returns false.
+    /// Returns true if the port is connected without subscripts, or its connected elements are numbered 0, 1, 2 ...
+    /// Otherwise reports an error and returns false.
     bool check_numbering(const DraftProcess& process, const std::string& port,
                          const std::vector<std::vector<std::int64_t>>& used) {
         for (std::size_t i = 0; i < used.size(); ++i)
@@ -354,7 +356,7 @@ private:
         return true;
     }
 
-    /// Refuses a port of fixed size if another number of its channels is connected.
+    /// Reports each port of fixed size that is connected with another number of channels.
     void check_elements(std::size_t index, const ProcessKind& kind) {
         const DraftProcess& process = c_.draft.processes[index];
         for (const PortDescription& port : kind.ports) {
@@ -371,8 +373,8 @@ private:
         }
     }
 
-    /// Checks a process without an interface: each placed channel must be connected, or lead to an edge or to a
-    /// processor's own code.
+    /// Checks a process for which the netlist declares no interface: each placed channel must be connected, or lead to
+    /// an edge or to the machine code of a processor.
     void check_placed(std::size_t index, const ProcessKind& kind) {
         const auto& placements = c_.draft.placements;
         for (auto placed = placements.lower_bound({index, ""});
@@ -402,7 +404,7 @@ private:
 
     Completion& c_;
     std::vector<std::vector<PortBinding>> bindings_;
-    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port of each end in a `connect`
+    std::set<std::pair<std::size_t, std::string>> mentioned_; ///< process and port of each end that a `connect` names
     std::set<std::size_t> misnamed_; ///< processes for which a `connect` names a channel that they lack
     bool refused_ = false;           ///< at least one `connect` was refused
 };

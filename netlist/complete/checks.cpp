@@ -41,8 +41,8 @@ void check_together(Completion& c, const ProcessInstance& process, const std::ve
                                  process.name, *left_out));
 }
 
-/// Returns the place where the netlist gives the parameter, or connects the port, that the complaint is about. If there
-/// is no such place, returns the place where the process is declared.
+/// Returns the place in the netlist for a complaint, an error that the check of a kind has found. It is the place where
+/// the parameter is given, or the port is connected. If there is none, returns the place of the process's declaration.
 Location place_of(const Completion& c, const Complaint& complaint) {
     const auto& process = c.network.processes[complaint.process];
     if (auto given = process.given.find(complaint.about); given != process.given.end())
@@ -59,7 +59,8 @@ void report(Completion& c, const Complaint& complaint) {
         c.reporter.error(place_of(c, complaint), complaint.message, complaint.hint);
 }
 
-/// Returns the complaints of the process's kind. An exception from the kind's check becomes a complaint.
+/// Calls the check of the process's kind, and returns its complaints. If the check throws, returns the exception as a
+/// complaint.
 std::vector<Complaint> complaints_of(const Completion& c, std::size_t process) {
     const ProcessKind& kind = *c.kinds[process];
     try {
@@ -78,8 +79,9 @@ void check_nodes(Completion& c) {
             c.reporter.error(node.declared, reason);
 }
 
-/// Warns once if a node has the attribute `tolerance` and some channel leads over several wires. It is not published
-/// how INMOS's configurer icconf uses this attribute. PlacedPar ignores it, so icconf may choose other routes.
+/// Warns once if a node has the attribute `tolerance` and a channel leads over several wires. How INMOS's configurer
+/// icconf uses this attribute is not published. PlacedPar ignores the attribute, so that icconf may choose other
+/// routes.
 void check_tolerance(Completion& c) {
     auto led_through = [](const NetworkChannel& channel) { return channel.placement.route.size() > 1; };
     auto channel = std::ranges::find_if(c.network.channels, led_through);
@@ -114,8 +116,8 @@ std::int64_t stated_memory_bytes(const Node& node) {
     return memory > 4 * kilobyte || node.given.contains("memory") ? memory : 0;
 }
 
-/// Warns if the packets alone do not fit into a node's memory. What else occupies the memory is unknown, so this is not
-/// an error.
+/// Warns if the buffers for packets alone do not fit into the memory of a node. This is not an error, since the memory
+/// needed is only an estimate.
 void check_room_for_packets(Completion& c) {
     const std::vector<std::int64_t> channels = channels_in_packets(c.network);
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -144,7 +146,8 @@ const ParameterDescription* wants_floating_point_unit(const Completion& c, std::
     return nullptr;
 }
 
-/// Warns of the first process whose default costs assume a floating-point unit that its node lacks.
+/// Warns if a process's default numbers of cycles assume a floating-point unit that its node does not have. Warns only
+/// of the first such process.
 void check_floating_point(Completion& c) {
     for (std::size_t i = 0; i < c.network.processes.size(); ++i)
         if (const ParameterDescription* parameter = wants_floating_point_unit(c, i)) {

@@ -10,9 +10,8 @@ namespace placedpar {
 
 namespace {
 
-/// Finds the processor at an end of the named piece of wire. The fault affects the link of that processor, whichever
-/// partners the switch connects. If both ends are at switches, reports an error, and returns
-/// false.
+/// Finds the processor at an end of the named wire, whose other end is at a switch. The fault affects the link of that
+/// processor, whichever partner the switch connects. If both ends are at switches, reports an error and returns false.
 bool find_named_piece(Completion& c, const DraftFault& draft, std::size_t connection, Fault& fault) {
     auto piece = std::ranges::find(c.draft.wires, draft.connection, &DraftWire::connection);
     for (const LinkEnd& end : {piece->a, piece->b})

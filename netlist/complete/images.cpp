@@ -125,8 +125,8 @@ std::vector<std::size_t> nodes_between(const Network& network, const NetworkChan
     return nodes;
 }
 
-/// Refuses a channel that is not between two processes in occam, but leads through a node whose program passes on
-/// messages between such processes.
+/// Refuses a channel between processes in C++ that leads through a node whose occam program passes on messages between
+/// processes in occam.
 void refuse_beside_relay(Completion& c, const NetworkChannel& channel, const NetworkChannel& relayed,
                          std::size_t node) {
     c.reporter.error(channel.connected,
@@ -158,7 +158,8 @@ void complete_relays(Completion& c) {
 
 namespace {
 
-/// Checks the channels of processes in occam, and makes the images (the memory contents) of their nodes.
+/// Checks the channels of processes in occam, and makes the images of their nodes. An image is the program that is in
+/// the node's memory when the run begins.
 class Images {
 public:
     explicit Images(Completion& c) : c_(c), n_(c.network), has_code_(n_.nodes.size(), false) {
@@ -213,7 +214,7 @@ private:
             refuse_shared(channel);
     }
 
-    /// Returns whether the process's end of an edge channel is a channel to a host.
+    /// Returns whether a channel to an edge leads from the process to a host.
     bool leads_to_host(const NetworkChannel& channel) const {
         const ChannelEnd& end = channel.from.at_edge() ? channel.to : channel.from;
         const PortDescription* port = c_.kinds[end.process]->port(base_name(end.port));
@@ -232,8 +233,8 @@ private:
                           "connect the two processors, or let a process in occam pass the messages on");
     }
 
-    /// Reports that too few wires lead from one node to another for the channels between them. Reports each pair of
-    /// nodes once.
+    /// Reports, once for each pair of nodes, that too few wires lead from one node to the other for the channels
+    /// between them.
     void refuse_shared(const NetworkChannel& channel) {
         const std::pair nodes(channel.from.node, channel.to.node);
         if (!refused_.insert(nodes).second)

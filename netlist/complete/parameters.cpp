@@ -43,8 +43,8 @@ public:
     }
 
 private:
-    /// Takes a setting of the netlist. It replaces the default value that the interface states. Refuses a second
-    /// setting of the same name.
+    /// Takes a setting that a statement of the netlist makes, in place of the default value in the interface. Refuses a
+    /// second setting of this name.
     void take_once(const Setting& setting) {
         auto [known, is_new] = set_.emplace(setting.name, setting.at);
         if (is_new)
@@ -243,7 +243,7 @@ private:
     std::vector<std::string>& order_;
     std::set<std::string> noted_;              ///< names in `order_`
     std::map<std::string_view, Location> set_; ///< for each name: place of the statement or option that sets it
-    std::set<std::string_view> taken_;         ///< the kind's parameters that were given or refused
+    std::set<std::string_view> taken_;         ///< parameters of the kind for which a value was given or refused
 };
 
 } // namespace
@@ -251,7 +251,7 @@ private:
 void complete_parameters(Completion& completion, std::size_t process) try {
     Parameters(completion, process).run();
 } catch (const StatementRefused&) {
-    // an attribute that a statement sets was refused; the error has already been reported
+    // a setting was refused; the error has already been reported
 }
 
 } // namespace placedpar

@@ -106,7 +106,7 @@ void check_interface(Completion& c, const DraftProcess& process, const ProcessKi
             refuse_left_out(c, process, needed, kind);
 }
 
-/// Reports a process on a switch, unless the process is the switch's logic.
+/// Reports a process that is placed on a switch, if it is not of the kind that obeys the switch's commands.
 void check_logic(Completion& c, const DraftProcess& process) {
     const Node& node = c.network.nodes[process.node];
     if (node.kind->is_set_by_link() && process.kind != node.kind->logic)

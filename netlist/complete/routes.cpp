@@ -11,7 +11,8 @@ namespace placedpar {
 
 namespace {
 
-constexpr std::size_t most_hubs = 64; ///< largest number of hubs, our choice: each hub takes 32 bytes for each node
+constexpr std::size_t most_hubs =
+    64; ///< largest number of hubs (see RouteSearch::search_between), our choice: each hub takes 32 bytes for each node
 
 } // namespace
 

@@ -11,10 +11,11 @@
 
 namespace placedpar {
 
-/// Holds the cost of a route. Costs are compared member by member: first the sum of the attribute `routecost` of the
-/// processors passed through, then the number of wires, then the number of channels that these wires already carry in
-/// the same direction. If costs are equal, the links by which the routes leave their processors decide: at the first
-/// difference, the lower link wins.
+/// Holds the cost of a route over wires; the route with the least cost is chosen. Costs are compared member by member.
+/// First comes the sum of the attribute `routecost` of the processors passed through. Then comes the number of wires,
+/// and last the number of channels that these wires already carry in the direction of the route. Between routes of
+/// equal cost, the links by which they leave their processors decide: at the first difference, the lower link number
+/// wins.
 struct RouteCost {
     std::int64_t processors = 0;
     std::size_t hops = 0;
@@ -26,27 +27,27 @@ struct RouteCost {
     auto operator<=>(const RouteCost&) const = default;
 };
 
-/// Finds the best route over wires between two nodes, through processors that pass channels on. Such a processor uses
-/// only the lowest `linkquota` of its wired links. Wires that switches connect during the run are not used, since a
-/// processor on the route could not know when they are connected. `may_pass` says for each node whether routes may lead
-/// through it, if the node's kind and `linkquota` also allow this. `load` counts the channels on each connection i:
-/// load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
+/// Finds the best route over wires between two nodes, through processors that pass messages on. Such a processor uses
+/// only its lowest wired links for this, as many as its attribute `linkquota` says. Connections that switches make
+/// during the run are not used, since a processor on the route could not know when they exist. Routes lead through a
+/// node only if its kind, its `linkquota` and its element of `may_pass` allow this. `load` counts the channels on each
+/// connection i: load[2 i] from b to a, load[2 i + 1] from a to b. REQUIRES: all arguments outlive this object.
 class RouteSearch {
 public:
     RouteSearch(const std::vector<Node>& nodes, const std::vector<LinkConnection>& connections,
                 const std::vector<std::size_t>& load, const std::vector<bool>& may_pass);
 
-    /// Returns the best route, of at least one wire, that avoids the nodes in `around`; nothing if no such route
-    /// exists.
+    /// Returns the best route that avoids the nodes in `around`. Returns nothing if there is none, or if `from` is
+    /// `to`.
     std::optional<std::vector<RouteHop>> best(std::size_t from, std::size_t to,
                                               const std::set<std::size_t>& around = {});
     bool leads_through(std::size_t node) const { return leads_through_[node]; }
-    /// Returns whether the node's `linkquota` excludes a wired link from routes through the node.
+    /// Returns whether the node's `linkquota` excludes one of its wired links from routes through the node.
     bool is_kept_by_quota(std::size_t node) const;
 
 private:
-    /// Holds for each node the least cost of a route between this node and one fixed node. Loads are not counted, so
-    /// the cost is equal in both directions. A node without a route has no cost.
+    /// Holds for each node the least cost of a route to one fixed node. Loads are not counted, so that a route has the
+    /// same cost in both directions. A node without a route has no cost.
     using Least = std::vector<std::optional<RouteCost>>;
 
     struct Ends {
@@ -58,29 +59,27 @@ private:
         std::size_t node;
     };
 
-    /// Sets distances_ of the nodes through which a best route may lead. Searches all nodes except the nodes in
-    /// `around`.
+    /// Computes distances_ by a search of all nodes except the nodes in `around`.
     void search_around(const Ends&, const std::set<std::size_t>& around);
-    /// A hub is a node at the end of many routes; the least costs of routes from all nodes to a hub are stored. If one
-    /// of the two ends is a hub, searches only among the nodes on routes of least cost (loads not counted). Returns
-    /// false if neither end is a hub.
+    /// Computes distances_ by a faster search, if one of the two ends is a hub. A hub is a node at the end of many
+    /// routes, for which the least costs from all nodes are stored (hubs_). Only nodes on routes of least cost are
+    /// searched, where loads are not counted. Returns false if neither end is a hub.
     bool search_between(const Ends&);
     void search_among(const std::vector<std::size_t>& nodes, const Ends&);
-    /// For each neighbour of `node`: if a route over `node` costs less than the neighbour's distance, lowers the
-    /// distance and calls `reach(cost, neighbour)`.
+    /// Lowers the distance of each neighbour from which a route over `node` costs less than this distance. Calls
+    /// `reach(cost, neighbour)` for each of these neighbours.
     template <class MayPass, class Reach>
     void reach_before(std::size_t node, const Ends&, MayPass may_pass, Reach reach);
     void forget_distances();
     /// Adds the number of nodes that the last search visited to spent_ of both ends. An end becomes a hub when its
-    /// searches have visited more nodes than the network has. Making the hub takes no longer than these searches took.
+    /// searches have visited more nodes than the network has: making the hub takes no longer than these searches took.
     void count_as_spent(std::size_t from, std::size_t to);
     void make_hub(std::size_t node);
-    /// Returns the nodes on routes of least cost, sorted by distance from the hub, farthest first. Marks them in
-    /// within_.
+    /// Returns the nodes on routes of least cost between `other` and a hub, the farthest from the hub first. `least`
+    /// has the costs to this hub. Marks the nodes in within_.
     std::vector<std::size_t> nodes_between(const Least& least, std::size_t other);
-    /// A hop leads from a link of its first node to a link of its second node. may_leave() returns whether a route that
-    /// passes through the first node may use the link there; may_come_in() returns the same for the second node and its
-    /// link.
+    /// Return whether the `linkquota` of the node where the hop begins (ends) allows routes through this node to use
+    /// the hop's link there.
     bool may_leave(const RouteHop&) const;
     bool may_come_in(const RouteHop& hop) const { return may_leave({hop.connection, !hop.from_a_to_b}); }
     RouteCost cost_of(const Step&, std::size_t to) const;
@@ -89,15 +88,15 @@ private:
     const std::vector<LinkConnection>& connections_;
     const std::vector<std::size_t>& load_;
     std::vector<std::vector<Step>>
-        leaving_;                    ///< for each node: the steps that leave the node, in ascending order of its links
-    std::vector<bool> beyond_quota_; ///< element 2 * connection + from_a_to_b: whether this hop leaves its node by a
-                                     ///< link that the node's `linkquota` excludes
-    bool has_quotas_ = false; ///< some `linkquota` excludes a link, so the cost of a route may depend on its direction
-    std::vector<bool> leads_through_;     ///< for each node: whether routes may lead through it
+        leaving_;                     ///< for each node: the steps that begin there, in ascending order of its links
+    std::vector<bool> beyond_quota_;  ///< element 2 * connection + from_a_to_b: whether this hop begins at a link that
+                                      ///< the node's `linkquota` excludes
+    bool has_quotas_ = false;         ///< some `linkquota` excludes a link; hubs are then not made
+    std::vector<bool> leads_through_; ///< for each node: whether routes may lead through it
     std::vector<std::int64_t> routecost_; ///< for each node that passes channels on
     std::vector<std::optional<RouteCost>>
-        distances_;                    ///< for each node: least cost found from here to the end of the route
-    std::vector<std::size_t> reached_; ///< nodes that have a distance
+        distances_;                    ///< for each node: least cost found so far of a route to the destination
+    std::vector<std::size_t> reached_; ///< nodes that have an element in distances_
     std::map<std::size_t, Least> hubs_;
     std::vector<std::size_t> spent_;    ///< for each node: number of nodes visited by searches from or to this node
     std::vector<std::uint64_t> within_; ///< for each node: number of the last restricted search that included the node

@@ -83,7 +83,7 @@ std::size_t StatedRoutes::connection_at(const StatedPlacement& place) const {
     return wires_[found].at_run_time ? connection_to_partner(place) : found;
 }
 
-/// Refuses the placement unless the link belongs to the processor on which the process is placed.
+/// Refuses the placement of a channel end on a link of another processor than the processor of its process.
 void StatedRoutes::require_own_link(const StatedPlacement& place) const {
     const DraftProcess& process = process_of(place);
     if (end_of_way(place.where()).node != process.node)
@@ -112,7 +112,8 @@ std::size_t StatedRoutes::connection_at_link(const StatedPlacement& place) const
                                    name_of(place), link_of(place)));
 }
 
-/// Returns the connection that switches can make from the stated link to the node of the channel's other process.
+/// Returns the connection that switches can make during the run from the stated link to the processor at the other end
+/// of the channel.
 std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) const {
     const ChannelEnd& partner = place.inputs() ? place.channel.from : place.channel.to;
     auto stated = c_.draft.placements.find({partner.process, partner.port});
@@ -133,9 +134,9 @@ std::size_t StatedRoutes::connection_to_partner(const StatedPlacement& place) co
     return *found;
 }
 
-/// Returns the way over a bus for a placement at a master's connector to the bus (bus_port). If the output of the
-/// channel is placed there, the way leads to the next stated place, or to the receiver if this place is the last. If
-/// the input is placed there, the way leads from the sender.
+/// Returns the way over a bus, a path from a master to a slave, for a placement on the master's connector to the bus
+/// (bus_port). If the placed end is an output, the way leads to the next stated place; if there is none, to the
+/// receiver. If the placed end is an input, the way leads from the sender.
 std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     bool last = place.number + 1 == place.all.size();
     auto other = place.inputs() ? place.channel.from.node
@@ -152,8 +153,8 @@ std::size_t StatedRoutes::way_from_bus(const StatedPlacement& place) const {
     return *found;
 }
 
-/// Returns the way over a bus between the two nodes: through memory if possible, otherwise over the adapter with the
-/// fewest channels.
+/// Returns the way over a bus between two nodes: through the memory of a bus master if possible, otherwise over the
+/// link adapter with the fewest channels.
 std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_t other) const {
     std::optional<std::size_t> best;
     auto cost = [&](std::size_t i) {
@@ -165,13 +166,14 @@ std::optional<std::size_t> StatedRoutes::way_between(std::size_t one, std::size_
     return best;
 }
 
-/// Returns the way over a bus that includes the wire, if the wire leads to a link adapter; otherwise the wire itself.
+/// If the wire is at a link adapter, returns the way over the bus that contains the wire; otherwise the wire itself.
 std::size_t StatedRoutes::way_over_bus(std::size_t wire) const {
     auto way = ways_.find(wire);
     return way == ways_.end() ? wire : way->second;
 }
 
-/// Returns the master's end of the way, if `placed` is a link adapter's link; otherwise `placed`.
+/// If `placed` is the link of a link adapter, returns the master's end of the way over this adapter; otherwise
+/// `placed`.
 LinkEnd StatedRoutes::end_of_way(const LinkEnd& placed) const {
     auto wire = c_.connection_at.find({placed.node, placed.link});
     auto way = wire == c_.connection_at.end() ? ways_.end() : ways_.find(wire->second);

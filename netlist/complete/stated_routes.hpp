@@ -10,22 +10,23 @@
 
 namespace placedpar {
 
-/// Describes a wire or a way over a bus that the netlist states for a channel, and the location of the statement.
+/// Describes a wire, or a way over a bus, that a statement of the netlist selects for a channel.
 struct StatedRoute {
     std::size_t connection;
-    std::size_t begin; ///< node where the channel enters the connection; nowhere: the channel may enter at either end
+    std::size_t begin; ///< node at which the messages enter the connection; nowhere: either end
     Location at;
 };
 
-/// Finds the routes that the netlist states for channels by `place` statements, either for an end of the channel or for
-/// its connection. All functions throw StatementRefused after reporting a placement that cannot be used.
+/// Finds the routes that the netlist states for channels. The statement `place p.out on t.link[1];` places an end of a
+/// channel on a link; `place c1 on c2;` places the channel with the connection c1 on the wire with the connection c2.
+/// All functions throw StatementRefused after reporting a placement that cannot be used.
 class StatedRoutes {
 public:
-    /// REQUIRES: the arguments outlive this object, and the connections are complete. `load` has the layout of
-    /// RouteSearch's `load`.
+    /// `load` counts the channels on each connection: see RouteSearch (netlist/complete/routes.hpp). REQUIRES: the
+    /// arguments outlive this object; Network::connections is complete.
     StatedRoutes(Completion&, const std::vector<std::size_t>& load);
 
-    /// Returns the stated wires of the channel in order; empty if the netlist states no wires.
+    /// Returns the wires and ways that the netlist states for the channel, in order; empty if it states none.
     std::vector<StatedRoute> wires(std::size_t channel) const;
     /// Returns the wire that `place c1 on c2` states for the channel.
     std::optional<StatedRoute> by_connection(std::size_t channel) const;
@@ -34,7 +35,7 @@ private:
     struct StatedPlacement {
         const NetworkChannel& channel;
         const ChannelEnd& end;
-        const std::vector<DraftPlacement>& all; ///< placements of this end
+        const std::vector<DraftPlacement>& all; ///< all placements of this end, in the order of the netlist
         std::size_t number;                     ///< index of the placement in `all`
         const DraftPlacement& placement() const { return all[number]; }
         const LinkEnd& where() const { return placement().where; }
@@ -65,7 +66,8 @@ private:
     Completion& c_;
     const std::vector<LinkConnection>& wires_;
     const std::vector<std::size_t>& load_;
-    std::map<std::size_t, std::size_t> ways_; ///< ways over buses; key: wire at the link adapter of the way
+    std::map<std::size_t, std::size_t>
+        ways_; ///< index of each way over a bus; key: index of the wire at the way's link adapter
 };
 
 } // namespace placedpar

@@ -33,8 +33,8 @@ void refuse_sharing(Completion& c, const NetworkChannel& first, const NetworkCha
 
 } // namespace
 
-/// Refuses a second user of a link that a switch connects to several partners in turn. One process may use such a link
-/// in each direction, and each connection carries one channel in each direction.
+/// Refuses a second user of a link that a switch connects to several partners in turn. In each direction, one process
+/// may use such a link, and each connection carries one channel.
 void check_switched(Completion& c) {
     const auto& wires = c.network.connections;
     UsersOfLinks users;

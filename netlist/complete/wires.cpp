@@ -13,8 +13,8 @@ using Socket = std::pair<std::size_t, int>; ///< node and link
 
 Socket socket(const LinkEnd& end) { return {end.node, end.link}; }
 
-/// Returns the crosspoints at each link of a switch in the netlist's order. A link has several crosspoints only if a
-/// program sets the switch.
+/// Returns for each link of a switch its crosspoints, the possible connections to other links, in the order of the
+/// netlist. A link has several crosspoints only if a program sets the switch.
 std::map<Socket, std::vector<std::size_t>> all_by_end(const std::vector<DraftWire>& crosspoints) {
     std::map<Socket, std::vector<std::size_t>> places;
     for (std::size_t i = 0; i < crosspoints.size(); ++i)
@@ -32,8 +32,8 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Follows wires through switches. At a switch that a program sets, follows every crosspoint, since the program may
-/// make each of them during the run.
+/// Joins wires through switches to connections between processors. At a switch that a program sets, follows every
+/// crosspoint, since the program may make each of them during the run.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
@@ -60,7 +60,7 @@ private:
     void follow(std::size_t first) {
         const auto& wire = c_.draft.wires[first];
         if (at_switch(wire.a) && at_switch(wire.b))
-            return; // a chain of wires is followed from the processors at its ends
+            return; // a wire between two switches is reached from a processor
         LinkConnection connection;
         connection.a = at_switch(wire.a) ? wire.b : wire.a;
         connection.b = other_end(wire, connection.a);
@@ -103,8 +103,8 @@ private:
                           "state only the crosspoints that a program will set");
     }
 
-    /// Extends the connection through the switch at its far end and along the next wire. Returns false if there is no
-    /// next wire, which is reported, or if this wire is already part of the connection.
+    /// Extends the connection through the switch at its far end and along the next wire. Returns false after reporting
+    /// that there is no next wire. Also returns false if the next wire is already part of the connection.
     bool cross(LinkConnection& connection, std::vector<std::size_t>& pieces, std::size_t crosspoint) {
         auto reached = connection.b;
         auto leaves = other_end(c_.draft.crosspoints[crosspoint], reached);
@@ -139,8 +139,8 @@ private:
         return open;
     }
 
-    /// If exactly two wires end at the switch, suggests the crosspoint between them; the errors about both wires then
-    /// give the same hint.
+    /// Refuses a wire at a switch without a crosspoint. If exactly two such wires end at the switch, suggests the
+    /// crosspoint between them; both errors then have this hint.
     void refuse_crosspoint(const LinkConnection& connection, const LinkEnd& at) {
         auto open = open_links(at.node);
         auto name = [&](const LinkEnd& end) { return link_name(c_.network.nodes, end); };
@@ -187,8 +187,8 @@ private:
         c_.network.pieces.push_back(std::move(piece));
     }
 
-    /// Adds the attributes of one piece of the wire. If the piece states another speed than a preceding piece, reports
-    /// an error, and returns false.
+    /// Adds length and speed of one wire of the chain to the connection. If the wire states another speed than a
+    /// preceding wire, reports an error and returns false.
     bool add_attributes(LinkConnection& connection, std::optional<std::int64_t>& speed, std::size_t named) {
         const auto& attributes = c_.draft.connections[named];
         if (attributes.level || attributes.release) {
@@ -224,7 +224,7 @@ private:
         return speed;
     }
 
-    /// Returns false for an edge and for a switch's configuration link: they adopt the speed of the other end.
+    /// Returns false for an edge and for the link by which a switch is set: the speed of the other end applies.
     static bool has_speed(const LinkEnd& end) { return !end.at_edge() && end.link != configuration_link; }
     std::int64_t link_speed(const LinkEnd& end) const { return c_.network.nodes[end.node].integer("linkspeed"); }
 
@@ -240,7 +240,7 @@ private:
     Completion& c_;
     std::map<Socket, std::size_t> wire_at_;
     std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
-    std::set<std::size_t> noted_; ///< pieces that are already in the network
+    std::set<std::size_t> noted_; ///< wires that are already in Network::pieces
     std::size_t ways_ = 0;        ///< number of paths tried through crosspoints that a program sets; at most most_ways
 };
 

@@ -5,30 +5,32 @@
 
 namespace placedpar {
 
-/// These functions handle the attributes in the parentheses of a declaration. They throw StatementRefused after
-/// reporting an error.
+/// These functions handle the attributes that follow a name in parentheses, as in `T800 (memory = 4M) t;`. They throw
+/// StatementRefused after reporting an error.
 
-/// Evaluates attributes. Groups are flattened: `order (code = 1)` becomes "order.code". Refuses an attribute that is
-/// given twice.
+/// Evaluates attributes. An attribute in a group gets a longer name: `order (code = 1)` becomes "order.code". Refuses
+/// an attribute that is given twice.
 std::vector<Setting> evaluate_attributes(Evaluator& evaluator, Reporter& reporter,
                                          const std::vector<Attribute>& attributes);
 
 /// Returns the note "given first at line ...", for an error about a value that is given twice.
 SecondPlace first_given(const Location& at);
-/// Reports `the parameter "n" of "p" is given twice`. Throws StatementRefused.
+/// Reports an error such as `the parameter "n" of "p" is given twice`, where `what` is "parameter" and `whose` is "p".
+/// Throws StatementRefused.
 [[noreturn]] void refuse_given_twice(Reporter& reporter, const Setting& second, std::string_view what,
                                      const std::string& whose, const Location& first);
 
-/// Applies attributes to a type of nodes. REQUIRES: `scopes` contains the types that the attribute `type` may name.
+/// Sets attributes of a type of nodes. `scopes` holds the types that the attribute `type` may name.
 void apply_node_attributes(NodeType& type, const std::vector<Setting>& settings, const Scopes& scopes,
                            Reporter& reporter);
-/// Returns whether the node can have an attribute of this name. Returns false for `type`.
+/// Returns whether the attribute of this name can be set after the declaration of the node. This excludes `type`.
 bool has_node_attribute(const Node& node, const std::string& name);
 /// Sets an attribute of a node. REQUIRES: has_node_attribute(node, setting.name).
 void apply_node_attribute(Node& node, const Setting& setting, Reporter& reporter);
 void apply_connection_attributes(DraftConnection& connection, const std::vector<Setting>& settings, Reporter& reporter);
 
-/// Returns the attributes of a wire, followed by the attributes of a master's connection to a bus.
+/// Returns descriptions of all attributes of a `connection`: first those for a wire, then those for the connection of a
+/// master to a bus.
 const std::vector<AttributeDescription>& connection_attributes();
 
 bool is_process_attribute(const std::string& name);

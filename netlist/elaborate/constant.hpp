@@ -14,7 +14,8 @@ inline constexpr int deepest_array = 8;
 struct Constant;
 using ConstantArray = std::shared_ptr<const std::vector<Constant>>;
 
-/// Holds the value of an expression. Characters are integers, and so are `TRUE`, `FALSE`, `HIGH` and `LOW`.
+/// Holds the value of an expression in a netlist. Characters are integers. `TRUE`, `FALSE`, `HIGH` and `LOW` are
+/// integers, too.
 struct Constant {
     std::variant<Integer, double, std::string, ConstantArray> value;
     int depth = 0; ///< levels of nested arrays: 1 for `{1, 2}`; 0 if the value is not an array
@@ -35,25 +36,26 @@ std::string type_name(const Constant& constant);
 /// Returns the constant in the syntax of a netlist. A long text is shortened.
 std::string shown(const Constant& constant);
 
-/// The operations below throw this exception if the language defines no result for the operands. The evaluator then
-/// reports an error at the operation.
+/// The operations below throw this exception if the language defines no result for the operands. The caller, Evaluator,
+/// then reports an error at the place of the operation.
 struct NoResult {
     std::string message;
     std::string hint;
 };
 
-/// These functions apply an operator. Integers have 64 bits; an overflow has no result. If an operand is real, the
-/// result is real. The evaluator itself handles `&&` and `||`.
+/// These functions apply an operator. Integers have 64 bits; an overflow throws NoResult. If an operand is real, the
+/// result is real. Evaluator handles `&&` and `||`, which may leave the right operand unevaluated.
 Constant apply_unary(const std::string& symbol, const Constant& operand);
 Constant apply_binary(const std::string& symbol, const Constant& left, const Constant& right);
-/// Casts to a type. Values out of the range of `char`, `short` or `int` are refused; a real is truncated towards zero.
+/// Converts to a type. A real is truncated towards zero. Throws NoResult if the value is out of the range of `char`,
+/// `short` or `int`.
 Constant apply_cast(const std::string& type, const Constant& operand);
 Constant apply_subscript(const Constant& array, const Constant& subscript);
 /// Returns the number of elements of an array, or of characters of a string.
 Constant apply_size(const Constant& array);
 
 /// Returns whether both constants have the same type and, for arrays, the same dimensions. Integers and reals count as
-/// one type. REQUIRES: no array is ragged.
+/// one type. REQUIRES: in each array, all elements have the same shape.
 bool have_same_shape(const Constant& left, const Constant& right);
 
 } // namespace placedpar

@@ -16,8 +16,8 @@ void Elaborator::check_free(const std::string& name, const Location& at) {
                {{fmt::format("first declared here, as {}", describe(*known)), known->declared}});
 }
 
-/// Returns the name, with a number appended if the network already has this name: a replicated block declares the same
-/// name several times.
+/// Returns the name. If the network already has this name, appends a number: a block in a `rep` statement declares its
+/// names once for each repetition.
 std::string Elaborator::claim_name(const std::string& name) {
     auto claimed = name;
     auto& number = copies_[name];

@@ -10,13 +10,14 @@
 namespace placedpar {
 
 struct DeclaredName {
-    std::string_view name; ///< refers to the statement's text
+    std::string_view name; ///< points into the statement, which must outlive this object
     Location at;
 };
 
-/// Returns the names that a statement declares in its own block.
+/// Returns the names that a statement declares. Names declared in an inner block are not visible outside, so they are
+/// left out.
 std::vector<DeclaredName> declared_names(const Statement& statement);
-/// Returns where the name is first declared among the statements; nothing if no statement declares it.
+/// Returns the place of the first declaration of the name in the statements; nothing if they do not declare the name.
 std::optional<Location> declaration_among(std::span<const Statement> statements, std::string_view name);
 
 } // namespace placedpar

@@ -12,13 +12,14 @@
 
 namespace placedpar {
 
-/// Limits the size of a netlist: the total number of nodes, connections, wires, edge channels, processes, their channel
-/// ends and parameters, values given to parameters, and attributes that only icconf uses. Each element of an array
-/// counts separately.
+/// Limits the size of a netlist. The following are counted together: nodes, connections, wires, channels of edges,
+/// processes, their channel ends and parameters, values given to parameters, and attributes that only INMOS's
+/// configurer icconf uses. Each element of an array counts separately.
 inline constexpr std::size_t most_things = 250'000;
 
-/// The structures below describe a netlist whose statements have been executed, but which has not been checked as a
-/// whole. The elaborator fills a Draft; complete() makes a Network of it.
+/// The structures below describe a netlist whose statements have been executed, but not yet checked together. The
+/// Elaborator fills a Draft, and complete() makes a Network from it. An index refers to a vector of Draft; `nowhere`
+/// means none.
 
 struct DraftConnection {
     std::string name;
@@ -27,8 +28,9 @@ struct DraftConnection {
     std::optional<double> metres;
     std::optional<Location> used;             ///< place of the `connect` that names the connection
     std::map<std::string, Location> settings; ///< attributes set by statements such as `c (length = 0.3);`
-    std::optional<int> level = {};            ///< request level of a master on a bus
-    std::optional<std::string> release = {};  ///< "RWD", "ROR"
+    std::optional<int> level = {};            ///< level at which a master requests its bus, BR0 to BR3
+    std::optional<std::string> release =
+        {}; ///< when a master releases its bus: "RWD", after each block of words; "ROR", at another master's request
 };
 
 struct DraftEdgeChannel {
@@ -59,16 +61,16 @@ struct ParameterDeclaration {
 struct Interface {
     std::vector<PortDeclaration> ports;
     std::vector<ParameterDeclaration> parameters;
-    std::vector<DeclaredEntry> entries; ///< channels and parameters, in the order of the declaration
+    std::vector<DeclaredEntry> entries; ///< ports and parameters together, in the order of the declaration
 };
 
-/// Holds one setting in a statement such as `name (n = 4);`.
+/// Holds the value that a statement such as `name (n = 4);` gives to a parameter or an attribute.
 struct Setting {
     std::string name;
     Constant value;
     Location at;
 };
-/// Holds the settings of one statement. All array elements that the statement names share one object.
+/// Holds the settings of one statement. If the statement sets several elements of an array, they share one object.
 using SharedSettings = std::shared_ptr<const std::vector<Setting>>;
 
 struct DraftProcess {
@@ -78,21 +80,22 @@ struct DraftProcess {
     std::map<std::string, Value> other;
     std::shared_ptr<const Interface> interface; ///< null if the netlist declares no interface
     std::vector<SharedSettings> settings;       ///< one entry for each statement
-    std::vector<Setting> overrides;             ///< settings by options, which replace the netlist's settings
+    std::vector<Setting> overrides; ///< settings by the option `--set`, which replace the netlist's settings
     std::string kind;
-    std::optional<Location> used; ///< place of the `use` that names the process's program
+    std::optional<Location> used; ///< place of the `use` statement that names the kind
     std::size_t node = nowhere;
     Location placed;
 };
 
-/// Describes a piece of wire, or a crosspoint. Both ends of a crosspoint are at the same switch.
+/// Describes a piece of wire between two links, or a crosspoint. A crosspoint connects two links of one crossbar
+/// switch.
 struct DraftWire {
     LinkEnd a, b;
     std::size_t connection = nowhere;
     Location at;
 };
 
-/// Holds a statement such as `connect sun.bus[0] to vme.slot[1];`.
+/// Holds a statement that puts a device into a slot of a bus, such as `connect sun.bus[0] to vme.slot[1];`.
 struct DraftAttachment {
     std::size_t node = nowhere, bus = nowhere;
     int slot = 1;
@@ -113,32 +116,32 @@ struct DraftChannel {
     Location at;
 };
 
-/// Holds a statement such as `place p.out on t.link[2];`. For `... on edge;`, `where.link` is -1. For `... on vme;`,
-/// `where.node` is the bus, and `where.link` is `bus_port`.
+/// Holds a statement such as `place p.out on t.link[2];`, which places an end of a channel on a link. For an edge
+/// instead of a link, `where.link` is -1. For a bus, `where.link` is `bus_port`.
 struct DraftPlacement {
     LinkEnd where;
     Location at;
 };
 
-/// Describes a fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() sets the
-/// wire.
+/// Describes a fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() later sets
+/// the index of the wire.
 struct DraftFault {
     Fault fault;
     std::size_t connection = nowhere; ///< index in Draft::connections
-    Location at;                      ///< place of the failing thing in the statement
+    Location at;                      ///< place in the statement where the failing device, link or connection is named
 };
 
-/// Holds the statement `place c1 on c2;`.
+/// Holds a statement such as `place c1 on c2;`, which places the channel with the connection `c1` on a wire.
 struct DraftConnectionPlacement {
-    std::size_t wire = nowhere; ///< index of `c2`, the connection of a wire
+    std::size_t wire = nowhere; ///< index of the wire's connection, `c2`
     Location at;
 };
 
 struct Draft {
     std::vector<Node> nodes;
     std::vector<int> links; ///< number of links of each node
-    /// Holds the places of attributes that follow a declaration, such as `t[1] (rank = 0);`. The key is the node and
-    /// the attribute's name.
+    /// Holds the places of attributes that are set after the declaration of a node, as by `t[1] (rank = 0);`. The key
+    /// is the node and the attribute's name.
     std::map<std::pair<std::size_t, std::string>, Location> node_settings;
     std::vector<DraftConnection> connections;
     std::vector<DraftEdgeChannel> edge_channels;
@@ -147,11 +150,13 @@ struct Draft {
     std::vector<DraftAttachment> attachments;
     std::vector<DraftChannel> channels;
     std::map<std::pair<std::size_t, std::string>, std::vector<DraftPlacement>>
-        placements; ///< key: process and port. Several placements, on links of several nodes, state a route.
+        placements; ///< key: process and port. Several placements of one port, on links of several nodes, state a
+                    ///< route.
     std::map<std::size_t, DraftConnectionPlacement>
-        connection_placements; ///< key: index of `c1`, the channel's connection
+        connection_placements; ///< key: index of the channel's connection, `c1`
     std::vector<DraftFault> faults;
-    std::string default_kind; ///< kind that `use ... for process;` names
+    std::string default_kind; ///< kind of all processes without a `use` statement of their own: `use "kind" for
+                              ///< process;` names it
     Location default_used;
     std::size_t things = 0;
     std::vector<SetByOption> set;

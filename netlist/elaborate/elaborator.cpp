@@ -12,7 +12,8 @@ namespace placedpar {
 Elaborator::Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter)
     : catalogue_(catalogue), reporter_(reporter), scopes_(catalogue), evaluator_(scopes_, reporter),
       overrides_(overrides) {
-    // No element of the network may have a predefined name, since the printed network uses these names.
+    // No node, connection or process of the network may have a predefined name, since the printed network uses these
+    // names.
     claimed_.insert("HIGH");
     for (const auto& [name, type] : catalogue.node_types())
         claimed_.insert(type.preset.type);

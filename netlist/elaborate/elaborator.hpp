@@ -19,29 +19,29 @@ inline constexpr std::size_t most_dimensions = 8;
 inline constexpr std::size_t most_interface_entries = 1000;
 
 /// Executes the statements of a netlist, including `rep` and `if`, and collects all declarations, connections and
-/// placements in a draft. A statement that is refused is reported and skipped; execution continues with the next
-/// statement.
+/// placements in a draft. After an error in a statement, reports the error and continues with the next statement.
 class Elaborator {
 public:
-    /// `overrides` are SetStatements. Overrides of vals are applied where the vals are declared. To apply the other
-    /// overrides, call run() with the overrides after use(). REQUIRES: catalogue and overrides outlive this object.
+    /// `overrides` are the options `--set NAME=VALUE` as SetStatements. The value of a constant (`val`) is replaced
+    /// where the `val` is declared. To apply the other overrides, call run() with them after use(). REQUIRES: catalogue
+    /// and overrides outlive this object.
     Elaborator(const Catalogue& catalogue, const Statements& overrides, Reporter& reporter);
 
     void run(const Statements& statements);
-    /// Declares a val of a configuration in another language. A name in the netlist may hide the val. Returns the value
-    /// of the val: the value that an option sets, or `original`.
+    /// Declares a constant (`val`) that an occam source defines, so that options can set it. The netlist may declare
+    /// the name again. Returns the value of the constant: the value that an option sets, or `original`.
     Value choose_val(const std::string& name, const Value& original, const Location& at);
-    /// Replaces programs by kinds, as the options `--use PROGRAM=KIND` say.
+    /// Replaces the programs that the netlist names by kinds of processes, as the options `--use PROGRAM=KIND` say.
     void use(const ProgramKinds& kinds);
-    /// Reads the programs that are source files (FileKinds), and replaces their names by the names of their kinds in
-    /// the catalogue.
+    /// Reads the source files in occam that the netlist names as programs. Replaces the names of these files by the
+    /// names of the kinds that FileKinds makes from them.
     void read_files(const std::vector<std::filesystem::path>& folders);
     const Draft& draft() const { return draft_; }
     Draft take();
 
 private:
     using Category = DeclaredThings::Category;
-    /// Describes consecutive elements of one array in the draft.
+    /// Describes elements of one array, which are consecutive in a vector of the draft.
     struct Elements {
         std::size_t first = 0, count = 0;
     };
@@ -51,7 +51,7 @@ private:
     void execute_all(const Statements& statements);
     void perform(const ValStatement& form, const Location& at);
     void perform(const RepStatement& form, const Location& at);
-    /// These two functions return the first value after the last value of a replicator.
+    /// Return the last value of a replicator plus one.
     std::int64_t behind_last(const Expression& last);
     std::int64_t behind_count(std::int64_t first, const Expression& count);
     void perform(const IfStatement& form, const Location& at);
@@ -91,13 +91,13 @@ private:
     void check_free(const std::string& name, const Location& at);
     std::string claim_name(const std::string& name);
     void count_things(std::size_t count, const Location& at);
-    /// Returns the named type with the attributes added.
+    /// Returns the type of this name, with these attributes added.
     Type derived_type(const std::string& name, const Location& at, const DeclarationAttributes& attributes);
-    /// Returns the named type. For `node` the attribute `element` decides between processors and processes, and is
-    /// removed from the settings.
+    /// Returns the type of this name. If the name is `node`, the attribute `element` says whether the type is for
+    /// processors or processes. This attribute is then removed from the settings.
     Type base_type(const std::string& name, const Location& at, std::vector<Setting>& settings);
     Type type_of_element(const Location& at, std::vector<Setting>& settings);
-    /// Declares the elements of one declarator; `add` adds the element of the given name to the draft.
+    /// Declares the elements of one declarator, such as `t[4]`. `add` adds an element with a name to the draft.
     void declare(const Declarator& declarator, Category category, std::size_t first,
                  const std::function<void(std::string)>& add, std::size_t weight = 1);
 
@@ -106,7 +106,7 @@ private:
     void perform(const UseStatement& form, const Location& at);
     void use_for_all(const std::string& program, const Location& at);
     void extend(ProcessType& type, const std::vector<Setting>& settings, const DeclarationAttributes& attributes);
-    /// Executes `name (stacksize = 4k);` for a type of processes.
+    /// Executes a statement such as `name (stacksize = 4k);`, where `name` is a type of processes.
     void set_type(const ProcessType& type, const ParameterSetting& form);
     [[noreturn]] void refuse_after_declaration(const Setting& setting, const Node& node);
     void set_nodes(const Elements& range, const std::vector<Setting>& settings);
@@ -137,7 +137,7 @@ private:
     void perform(const FaultStatement& form, const Location& at);
     DraftFault failing(const FaultStatement& form);
 
-    // reference.cpp: what a reference names
+    // reference.cpp: finds what a reference such as `t[1].link[2]` names
     struct Found {
         Category category;
         std::vector<std::int64_t> dimensions;
@@ -145,7 +145,7 @@ private:
     };
     Found find(const Reference& reference);
     Elements elements(const Reference& reference, const Found& found);
-    /// Returns the index of one element. The reference must have all subscripts.
+    /// Returns the index of the element in its vector of the draft. Refuses a reference that lacks subscripts.
     std::size_t element(const Reference& reference, const Found& found);
     void boot(const Reference& reference, const Found& found, const std::string& file, const Location& at);
     std::size_t host(const Location& used);
@@ -176,28 +176,31 @@ private:
     Scopes scopes_;
     Evaluator evaluator_;
     Draft draft_;
-    ProcessType process_defaults_; ///< settings of `process (...);`, for all types
+    ProcessType process_defaults_; ///< settings by `process (...);`, for processes of all types
     std::map<std::pair<std::size_t, int>, Location> used_links_, used_crosspoints_;
     std::set<std::tuple<std::size_t, int, int>>
-        crosspoints_; ///< node of the switch and its two links, the lower link first
-    /// Describes an error that is reported later: a link has a second crosspoint.
+        crosspoints_; ///< each element: the switch and its two connected links, the lower link first
+    /// Describes a second crosspoint at a link, which is an error. The error is reported after all statements have been
+    /// executed.
     struct CrosspointAgain {
         LinkEnd end;
         Location at, first;
     };
     std::vector<CrosspointAgain> crosspoints_again_;
     std::map<std::pair<std::size_t, std::string>, Location> used_ports_;
-    std::set<std::string> claimed_;     ///< names that are used in the network, without subscripts
-    std::map<std::string, int> copies_; ///< for each name: the last number that was appended to make a name unique
+    std::set<std::string> claimed_;     ///< names of nodes, connections and processes so far, without subscripts
+    std::map<std::string, int> copies_; ///< for each name that several blocks declare: the last number that was
+                                        ///< appended to make the name unique
     const Statements& overrides_;
-    std::map<std::string, Location> overridden_vals_; ///< for each val: location of the option that overrides it
-    std::map<std::pair<std::string, std::string>, const SetStatement*> set_; ///< key: element and member
-    std::map<std::size_t, SetByOption> reached_;                             ///< key: position of the option
-    // The next two members are filled only if there are overrides: vals outside of blocks with their values in the
-    // netlist, and the names of vals in blocks.
+    std::map<std::string, Location> overridden_vals_; ///< for each val: place of the option that has set it
+    std::map<std::pair<std::string, std::string>, const SetStatement*>
+        set_; ///< option that has set a value; key: element, and attribute or parameter
+    std::map<std::size_t, SetByOption> reached_; ///< what each option has set; key: position of the option
+    // The next two members are for messages about options, and filled only if there are options. vals_ holds the vals
+    // outside of blocks, with their values in the netlist. vals_in_blocks_ holds the names of the other vals.
     std::vector<std::pair<std::string, Constant>> vals_;
     std::set<std::string> vals_in_blocks_;
-    std::size_t host_ = nowhere; ///< node of the predefined edge; nowhere until the netlist uses this edge
+    std::size_t host_ = nowhere; ///< node of the predefined edge `host`; nowhere until the netlist uses this edge
 };
 
 } // namespace placedpar

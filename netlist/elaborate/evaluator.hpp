@@ -9,26 +9,27 @@
 
 namespace placedpar {
 
-/// Limits the number of steps in which one netlist is evaluated and elaborated, so that this takes seconds, not
-/// minutes.
+/// Limits the number of steps, such as statements executed in `rep` loops, so that reading a netlist takes at most
+/// seconds.
 inline constexpr std::size_t most_steps = 5'000'000;
 
-/// Evaluates expressions in the scopes that are open. All functions throw StatementRefused after reporting an error.
+/// Evaluates the expressions of a netlist, with the names that are visible in `scopes`. All functions throw
+/// StatementRefused after reporting an error.
 class Evaluator {
 public:
     Evaluator(const Scopes& scopes, Reporter& reporter) : scopes_(scopes), reporter_(reporter) {}
 
     Constant evaluate(const Expression& expression);
 
-    /// Evaluates to an integer. `whose`, such as `the attribute "memory"`, names the value in the message "wrong type
-    /// for ...".
+    /// Evaluates an expression whose value must be an integer. `whose`, such as `the attribute "memory"`, completes the
+    /// message "wrong type for ...".
     Integer integer(const Expression& expression, std::string_view whose);
-    /// Evaluates to a number; an integer is allowed.
+    /// Evaluates an expression whose value must be an integer or a real.
     double number(const Expression& expression, std::string_view whose);
     std::string text(const Expression& expression, std::string_view whose);
     bool condition(const Expression& expression);
 
-    /// Counts one step of work; throws GiveUp after most_steps.
+    /// Counts one step of work. Throws GiveUp, which ends the reading of the netlist, after most_steps.
     void step(const Location& at);
 
 private:
@@ -55,8 +56,9 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Reports that the name is undefined. If a later statement declares the name, a note shows where; otherwise a hint
-/// suggests the most similar name in `known`, or among all known names if `known` is empty. Throws StatementRefused.
+/// Reports that the name is undefined. If a later statement declares the name, a note shows the place. Otherwise a hint
+/// suggests the most similar name that `known` returns, or the most similar visible name if `known` is empty. Throws
+/// StatementRefused.
 [[noreturn]] void refuse_undefined(Reporter& reporter, const Scopes& scopes, const std::string& name,
                                    const Location& at, const std::function<std::vector<std::string>()>& known = {});
 

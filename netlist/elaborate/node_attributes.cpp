@@ -27,8 +27,7 @@ const NodeType* find_type(const Scopes& scopes, const std::string& name) {
     return nullptr;
 }
 
-/// Returns the type with the attributes that were given before the type was known. These attributes replace the
-/// attributes of the type.
+/// Returns the type, changed by the attributes that the netlist gave before it named the type.
 NodeType with_attributes_of(NodeType type, const Node& untyped) {
     for (const auto& name : untyped.given)
         type.preset.attributes[name] = untyped.attributes.at(name);

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// Calls `work`, and catches the exceptions that `work` throws after reporting an error.
+/// Calls `work`, which reports its errors. Catches the exceptions that `work` then throws.
 template <class Work>
 void attempt(Work work) {
     try {
@@ -19,10 +19,11 @@ void attempt(Work work) {
     }
 }
 
-/// Reads overrides as statements that are executed after the netlist, beginning with the override that has the most
-/// precise target. Each override is a separate source file, so that messages can show its text.
+/// Parses the options `--set NAME=VALUE` as statements, which are executed after the netlist. Options with more precise
+/// targets come first: `p[1].n` before `p.n`, and `p.n` before `n`. Each option counts as a separate source file, so
+/// that messages can show its text.
 Statements read_overrides(const Overrides&, Reporter&);
-/// Reads the values of `--fault` as statements. Each value is a separate source file.
+/// Parses the values of the options `--fault` as statements. Each value counts as a separate source file.
 Statements read_faults(const std::vector<std::string>&, Reporter&);
 
 } // namespace placedpar

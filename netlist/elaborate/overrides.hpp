@@ -5,12 +5,14 @@
 
 namespace placedpar {
 
-/// Holds the options `--set NAME=VALUE`, by NAME. NAME is a val outside of blocks, `PROCESS.PARAMETER`,
-/// `ELEMENT.ATTRIBUTE`, or an attribute or parameter to be set in every element that has it. VALUE is an expression.
+/// Holds the options `--set NAME=VALUE` by NAME, with which a user changes values of a netlist. NAME is a constant
+/// (`val`) outside of blocks, `PROCESS.PARAMETER`, or `ELEMENT.ATTRIBUTE`, where an element is a node, connection or
+/// process. NAME can also be an attribute or parameter alone, which is then set in every element that has it. VALUE is
+/// an expression.
 using Overrides = std::map<std::string, std::string>;
 
-/// Holds the options `--use PROGRAM=KIND`, by PROGRAM, which is the program's name in a `use` statement. The kind
-/// replaces the program.
+/// Holds the options `--use PROGRAM=KIND` by PROGRAM, a name in a `use` statement. Processes then have this kind in
+/// place of the program.
 using ProgramKinds = std::map<std::string, std::string>;
 
 } // namespace placedpar

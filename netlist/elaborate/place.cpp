@@ -57,7 +57,7 @@ void Elaborator::place_port(const PlaceStatement& form) {
     known.push_back({link, form.what.at});
 }
 
-/// Returns where the channel is placed: on a link, on an edge, on a whole bus, or at the bus end of a device.
+/// Returns where the channel is placed: on a link, on an edge, on a bus, or on the connector of a device to its bus.
 LinkEnd Elaborator::place_of_channel(const PlaceStatement& form, const Found& found) {
     const Reference& where = form.where;
     const DeviceKind& kind = *draft_.nodes[found.first].kind;

@@ -64,7 +64,8 @@ std::shared_ptr<const Interface> Elaborator::interface(const std::vector<Interfa
     return result;
 }
 
-/// Adds an interface and settings to a type, and checks them, so that errors are reported where the type is defined.
+/// Adds an interface and settings to a type of processes. Checks them here, so that errors are reported where the type
+/// is defined.
 void Elaborator::extend(ProcessType& type, const std::vector<Setting>& settings,
                         const DeclarationAttributes& attributes) {
     DraftProcess scratch;
@@ -139,7 +140,8 @@ void Elaborator::set_nodes(const Elements& range, const std::vector<Setting>& se
         }
 }
 
-/// Adds one shared copy of the settings to each process of the range. Parameters::take_once() finds duplicates later.
+/// Adds one shared copy of the settings to each process of the range. Values that are given twice are found later, by
+/// Parameters::take_once().
 void Elaborator::set_processes(const Elements& range, const std::vector<Setting>& settings, const Location& at) {
     auto is_attribute = [](const Setting& setting) { return is_process_attribute(setting.name); };
     count_things(range.count * static_cast<std::size_t>(std::ranges::count_if(settings, is_attribute)), at);

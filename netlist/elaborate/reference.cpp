@@ -89,7 +89,7 @@ std::size_t Elaborator::element(const Reference& reference, const Found& found) 
     return range.first;
 }
 
-/// Returns the link end of `t.link[2]`, or of an edge as a whole.
+/// Returns the link that a reference such as `t.link[2]` names, or the single link of an edge that it names.
 LinkEnd Elaborator::link_end(const Reference& reference, const Found& found) {
     auto node = element(reference, found);
     const auto& declared = draft_.nodes[node];
@@ -127,8 +127,9 @@ int Elaborator::link_number(const Reference& reference, const Node& node, int li
     return static_cast<int>(given[0]);
 }
 
-/// Returns the channel end of `p.out[1]`, or of an edge channel. Any port of a process without an interface is accepted
-/// here; the port is checked when the whole netlist has been read and the kind is known.
+/// Returns the channel end that a reference such as `p.out[1]` names, or the edge channel that it names. If the netlist
+/// declares no interface for a process, any port is accepted here. The port is checked later, when the kind of the
+/// process is known.
 DraftChannelEnd Elaborator::port_end(const Reference& reference, const Found& found) {
     auto index = element(reference, found);
     if (found.category == Category::edge_channel) {

@@ -24,7 +24,7 @@ std::vector<std::string> Elaborator::names_of_vals() const {
     return names;
 }
 
-/// Refuses an option that found no element with the attribute or parameter to set.
+/// Refuses an option `--set` if no node, connection or process has the attribute or parameter that it names.
 void Elaborator::refuse_set(const SetStatement& set, const std::string& name, const std::vector<Settable>& named) {
     name_wires();
     name_attachments();
@@ -41,7 +41,8 @@ void Elaborator::refuse_set(const SetStatement& set, const std::string& name, co
            meant.empty() ? hint_at_other(member, first, all) : meant, {{first.text_of_members(), {}}});
 }
 
-/// Returns a hint if the member belongs to the process's processor, or to the master's place on its bus; otherwise "".
+/// Returns a hint if the attribute belongs to the processor of the process, or to the connection of the master to its
+/// bus; otherwise "".
 std::string Elaborator::hint_at_other(const std::string& member, const Settable& element,
                                       const std::vector<Settable>& all) const {
     std::string other;
@@ -59,7 +60,7 @@ std::string Elaborator::hint_at_other(const std::string& member, const Settable&
     return fmt::format("{} has this attribute: --set {}.{}=...", which, other, member);
 }
 
-/// Refuses an option whose name has no dot and is neither a val nor an attribute or parameter.
+/// Refuses an option whose name has no dot, if the name is not that of a `val`, an attribute or a parameter.
 void Elaborator::refuse_name(const SetStatement& set, const std::string& name, const std::vector<Settable>& all) {
     const std::string& array = set.target.name;
     if (auto val = std::ranges::find(vals_, array, [](const auto& each) { return each.first; }); val != vals_.end())

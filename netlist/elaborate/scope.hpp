@@ -15,8 +15,9 @@
 
 namespace placedpar {
 
-/// Describes a declared thing or array. Its elements have the indices `first`, `first + 1`, ... in the draft; the last
-/// subscript varies fastest. For the predefined edge, `first` is nowhere.
+/// Describes a declared node, connection, edge channel or process, or an array of these. Its elements have the indices
+/// `first`, `first + 1`, ... in a vector of the draft. The last subscript varies fastest. For the predefined edge
+/// `host`, `first` is nowhere.
 struct DeclaredThings {
     enum class Category { node, connection, edge_channel, process };
     Category category;
@@ -26,14 +27,14 @@ struct DeclaredThings {
 
 /// Describes a type with which processes can be declared: `process`, or a type that a `define` made.
 struct ProcessType {
-    std::vector<Setting> settings;              ///< in order: a later setting overrides an earlier setting
+    std::vector<Setting> settings;              ///< a later setting of a name replaces an earlier setting
     std::shared_ptr<const Interface> interface; ///< null if the type has no interface
 };
 
 using Type = std::variant<NodeType, ProcessType>;
 
-/// Stands for the type `node`. The attribute `element` says whether a declaration with this type declares processors or
-/// processes.
+/// Represents the predefined type `node`. Its attribute `element` says whether a declaration with this type declares
+/// processors or processes.
 struct AnyElement {};
 
 /// Holds the meaning of a name.
@@ -45,11 +46,12 @@ struct Symbol {
 /// Returns a text for messages, such as "an array of nodes".
 std::string describe(const Symbol& symbol);
 
-/// Holds the visible names. A name is visible from its declaration to the end of its block; an inner block may declare
-/// it again. Predefined names belong to a block around the netlist, so they may be declared again.
+/// Holds the names that are visible at the current statement. A name is visible from its declaration to the end of its
+/// block. An inner block may declare the name again. Predefined names belong to a block around the netlist, so that the
+/// netlist may declare them again.
 class Scopes {
 public:
-    /// Declares the predefined names, including the catalogue's node types.
+    /// Declares the predefined names, including the types of nodes in the catalogue.
     explicit Scopes(const Catalogue& catalogue);
 
     void open() {
@@ -64,18 +66,20 @@ public:
     bool outermost() const { return scopes_.size() == 2; }
 
     const Symbol* find(std::string_view name) const;
-    /// Returns the declaration of the name in this block; null if the name is free here.
+    /// Returns the declaration of the name in the innermost block; null if this block does not declare the name.
     const Symbol* find_in_this_block(std::string_view name) const;
     void declare(const std::string& name, Symbol symbol);
     void declare_predefined(const std::string& name, Symbol symbol);
 
-    /// Sets the statements of this block that follow the current statement. REQUIRES: the statements outlive the block.
+    /// Sets the statements of the innermost block that follow the current statement. REQUIRES: the statements outlive
+    /// the block.
     void set_ahead(std::span<const Statement> statements) { ahead_.back() = statements; }
-    /// Returns where an unknown name is declared later, in this block or in an enclosing block.
+    /// Returns where an unknown name is declared later, in the innermost block or in a block around it; nothing if it
+    /// is not.
     std::optional<Location> declared_later(std::string_view name) const;
 
     std::vector<std::string> names() const;
-    /// Returns the names of all types with which things can be declared.
+    /// Returns the names of all types of nodes and processes.
     std::vector<std::string> type_names() const;
     /// Returns the names of the predefined node types.
     std::vector<std::string> predefined_node_types() const;

@@ -14,13 +14,14 @@ namespace {
 
 bool is_bare(const Reference& target) { return target.subscripts.empty() && target.field.empty(); }
 
-/// Returns true for an integer that is the code of a printable character. Character constants are integers.
+/// Returns true for an integer that may be a character constant: the code of a printable character.
 bool is_character(const Constant& constant) {
     const auto* code = constant.integer();
     return code != nullptr && code->value > ' ' && code->value <= '~';
 }
 
-/// If the text lists several values, returns a hint that names the command for trying several values; otherwise "".
+/// If the user typed a list or a range of values, returns a hint that names the command `sweep`, which tries several
+/// values; otherwise "".
 std::string hint_at_sweep(const SetStatement& set) {
     const bool lists = set.typed.find(',') != std::string::npos || set.typed.find("..") != std::string::npos;
     return !lists || set.typed.find('(') != std::string::npos
@@ -56,7 +57,7 @@ Draft Elaborator::take() {
     return std::move(draft_);
 }
 
-/// Evaluates the value in the current scopes. If a string is wanted, a text without quotes is accepted as it is.
+/// Evaluates the value of an option. If a string is wanted, a text without quotes is accepted as it is.
 Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const std::string& what_it_takes) {
     Reporter here;
     std::optional<Constant> value;
@@ -83,8 +84,8 @@ Constant Elaborator::value_of(const SetStatement& set, bool text_wanted, const s
     throw StatementRefused{};
 }
 
-/// Returns the value that an option gives to the val, or the original value if there is no such option. Options can
-/// set only vals outside of blocks.
+/// Returns the value that an option gives to a constant (`val`), or the original value if there is no such option.
+/// Options can set only vals outside of blocks.
 Constant Elaborator::overridden(const std::string& name, const Constant& original) {
     if (!scopes_.outermost()) {
         vals_in_blocks_.insert(name);
@@ -114,7 +115,8 @@ Constant Elaborator::override_val(const SetStatement& set, const Constant& origi
     return value;
 }
 
-/// Sets a member of the named elements. An option for a val has taken effect already, at the val's declaration.
+/// Executes an option: sets an attribute or parameter of the named nodes, connections or processes. An option for a
+/// `val` has already taken effect where the `val` is declared.
 void Elaborator::perform(const SetStatement& form, const Location&) {
     const Reference& target = form.target;
     if (is_bare(target) && overridden_vals_.contains(target.name))
@@ -138,8 +140,8 @@ void Elaborator::perform(const SetStatement& form, const Location&) {
         refuse_set(form, name, named);
 }
 
-/// Returns the element of that name, or the elements of the array; all elements if the name is empty. Wires and places
-/// on buses without a name are named first if the option may refer to them.
+/// Returns the element of that name, or the elements of the array of that name; all elements if the name is empty. If
+/// the option may refer to wires or attachments to buses that have no name, gives them names first.
 std::vector<Settable> Elaborator::elements_named(const std::string& name, const std::string& member) {
     auto find_them = [&] {
         std::vector<Settable> all = settable_elements(draft_, catalogue_);
@@ -158,12 +160,12 @@ std::vector<Settable> Elaborator::elements_named(const std::string& name, const 
     return find_them();
 }
 
-/// Gives each unnamed wire a connection, wire[0], wire[1] ..., whose attributes an option can set.
+/// Gives each wire without a name a connection, wire[0], wire[1] ..., so that options can set its attributes.
 void Elaborator::name_wires() {
     name_connections(draft_.wires, "wire", [](const DraftWire&) { return true; });
 }
 
-/// Gives each master's unnamed place on a bus a connection, attachment[0], attachment[1] ...
+/// Gives each attachment of a master to a bus that has no name a connection, attachment[0], attachment[1] ...
 void Elaborator::name_attachments() {
     name_connections(draft_.attachments, "attachment",
                      [&](const DraftAttachment& each) { return draft_.nodes[each.node].kind->is_master(); });
@@ -180,7 +182,8 @@ void Elaborator::name_connections(Things& things, const std::string& wanted, IsM
         }
 }
 
-/// Returns false if an option with a more precise target has already set the member.
+/// Records that the option sets the attribute or parameter. Returns false if an option with a more precise target has
+/// already set it.
 bool Elaborator::set_once(const SetStatement& set, const std::string& member, const Settable& element) {
     auto [first, is_new] = set_.emplace(std::pair(element.name, member), &set);
     if (!is_new && first->second->precision() > set.precision())

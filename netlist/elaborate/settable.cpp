@@ -55,8 +55,8 @@ Members members_of(const ProcessKind* kind, const Interface* interface) {
     return members;
 }
 
-/// Returns the members of each connection. They depend on whether the connection joins links or attaches a master to a
-/// bus.
+/// Returns the attributes of each connection that an option can set. They depend on whether the connection joins links
+/// or attaches a master to a bus.
 std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     const Members all = members_of(connection_attributes());
     const auto of_none = std::make_shared<const Members>(),
@@ -72,8 +72,8 @@ std::vector<SharedMembers> members_of_connections(const Draft& draft) {
     return members;
 }
 
-/// Returns a text with the names of the elements. Elements with equal lists of members form a group, which is followed
-/// by these members. An array is listed by its base name.
+/// Returns a text with the names of the elements and what can be set in them. Elements with equal attributes and
+/// parameters form a group, which is followed by these. An array is listed by its name without subscripts.
 std::string groups_of(const std::vector<Settable>& elements, std::size_t category) {
     std::vector<std::pair<std::string, std::vector<std::string>>> groups; ///< members, and names of the elements
     for (const Settable& each : elements) {

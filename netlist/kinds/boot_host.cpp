@@ -28,8 +28,8 @@ void BootHost::serve() {
         wait_for_link(Activity::inputting); // waits for ever, since this request has no reply
 }
 
-/// Answers a request. The host also replies to the request that ends the program, but does not wait until the program
-/// has taken this reply, since many programs never take it.
+/// Answers a request. The request that ends the program gets a reply, too. The host does not wait until the program has
+/// taken this reply, since many programs never take it.
 void BootHost::answer(iserver::ByteView request) {
     ++requests_;
     if (request_time_ > Time{0})
@@ -56,7 +56,7 @@ void BootHost::send(std::span<const std::uint8_t> bytes) {
     wait_for_link(Activity::outputting);
 }
 
-/// Returns the next request; an empty request after a packet that cannot be read.
+/// Returns the next request; an empty request if the bytes from the program are not a request.
 iserver::ByteView BootHost::receive() {
     iserver::ByteView request;
     while (request.empty() && reader_.wanted() > 0 && !abandoned_) {

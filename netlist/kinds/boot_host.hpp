@@ -15,29 +15,30 @@
 
 namespace placedpar {
 
-/// Answers a request that is made at a simulated time, as iserver::Server::answer does.
+/// Answers a request that a transputer's program makes to its host, such as to read a file: iserver::Server::answer,
+/// for example.
 using Answering = std::function<iserver::Answer(iserver::ByteView request, std::chrono::microseconds since_start)>;
 
-/// Acts as the host at the link of an emulated transputer: sends a bootable file down the link, then serves the
+/// Acts as the host computer at a link of an emulated transputer. Sends a bootable file over the link, then answers the
 /// program's requests until the program exits.
 class BootHost final : public transputer::ByteEnd {
 public:
-    /// `file` is empty if the transputer already has its program when the run begins. `request_time` is the time for
-    /// which the host works on a request. REQUIRES: request_time >= 0.
+    /// `file` holds the bytes that boot the transputer; empty if its program is in its memory when the run begins.
+    /// `request_time` is the time for which the host works on each request. REQUIRES: request_time >= 0.
     BootHost(std::vector<std::uint8_t> file, Answering, Time request_time);
 
-    /// Boots the transputer and serves its program. This is the body of the host's process. Returns when the program
-    /// has exited, or when it sends a packet that cannot be read. Waits for ever when the program asks for input and
-    /// none is left.
+    /// Boots the transputer and answers its program's requests. This is the body of the host's process. Returns when
+    /// the program has exited, or has sent bytes that are not a request. Waits for ever if the program asks for input
+    /// and none is left.
     void serve();
 
-    /// Ends serve(). Called when a transputer has stopped.
+    /// Makes serve() return early. Called when an error has stopped a transputer.
     void abandon();
 
-    /// The functions below return results of serve().
+    /// The functions below return results of serve(), after it has returned.
     iserver::ServerState state() const { return state_; }
     std::int32_t exit_status() const { return exit_status_; }
-    /// Returns why a packet could not be read; "" if all packets could be read.
+    /// Returns why the bytes from the program are not a request; "" if all requests could be read.
     const std::string& refusal() const { return reader_.refusal(); }
     std::uint64_t requests() const { return requests_; }
     /// Returns how many bytes of the file the transputer has not taken.

@@ -30,7 +30,7 @@ transputer::CoreTiming timing_of(const Node& node) {
             .wraps = node.integer("wraps") != 0};
 }
 
-/// Returns whether some program of the network is served by a host.
+/// Returns whether a host in the network answers requests of a program.
 bool serves_a_program(const Network& network) {
     for (std::size_t i = 0; i < network.nodes.size(); ++i)
         if ((network.nodes[i].image || !network.nodes[i].boot_file.empty()) && link_to_host(network, i))
@@ -68,7 +68,7 @@ iserver::ServerOptions options_of(const HostServices& host, const Node& node) {
 
 } // namespace
 
-/// Holds the parts of the host that boots the node: the terminal, the server, and the host's end of the link.
+/// Holds the parts of the simulated host that boots the node: the terminal, the server, and the host's end of the link.
 struct BootedNode::Host {
     Host(const Network& network, const Node& node)
         : terminal(terminal_of(network.host)), server(options_of(network.host, node), *terminal),
@@ -104,7 +104,7 @@ BootedNode::BootedNode(MachineParts& parts, std::size_t index)
         await_end();
 }
 
-/// If the user has requested this, makes the node count its instructions, or lets the user execute them one by one.
+/// Makes the node count its instructions, or lets the user execute them one by one, if the user has asked for this.
 void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
@@ -116,8 +116,8 @@ void BootedNode::watch_code() {
 
 BootedNode::~BootedNode() = default;
 
-/// Makes a process that waits until all processes of the image have ended. Without this process the run would end at
-/// once, since a run ends when the processes of the simulation have ended.
+/// Makes a process that waits until all processes of the image, the program in the node's memory, have ended. Otherwise
+/// the run could end too early, since a run ends when the processes of the simulation have ended.
 void BootedNode::await_end() {
     device_.when_idle([this] { notice_end(); });
     simulation().process("the code of " + node().name, [this] {
@@ -179,7 +179,7 @@ void BootedNode::connect_host(hardware::Link& link, const LinkEnd& own, bool own
     });
 }
 
-/// Returns the other end of the wire, at which processes of the simulation output and input messages.
+/// Returns the far end of the wire, at which processes of the netlist output and input messages.
 transputer::MessageEnd& BootedNode::message_end(std::size_t connection) {
     auto [found, added] = message_ends_.try_emplace(connection, node().name);
     if (added) {
@@ -286,14 +286,14 @@ const transputer::CodeLines& BootedNode::lines() const {
 
 namespace {
 
-/// Returns whether a process is in an ALT without a true guard.
+/// Returns whether a process waits for ever in an ALT in which no guard has a true condition.
 bool never_goes_on(const transputer::WaitingProcess& process) {
     return process.wait == transputer::Wait::alternative && process.channels.empty() && !process.time;
 }
 
 } // namespace
 
-/// Returns the waiting processes, except processes that only carry messages of other processes.
+/// Returns the waiting processes, except processes that only pass on messages of other processes.
 std::vector<transputer::WaitingProcess> BootedNode::waiting_processes() const {
     std::vector<transputer::WaitingProcess> waiting = transputer::waiting_processes(device_.core());
     std::erase_if(waiting, [&](const auto& each) { return lines().is_carrier(each.workspace); });

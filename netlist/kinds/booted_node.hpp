@@ -18,11 +18,11 @@ namespace placedpar {
 
 class OutsideHost; // netlist/kinds/outside_host.hpp
 
-/// Returns the options of the server for a program that this file boots.
+/// Returns the options with which an iserver, the host's part, serves the program in the bootable file `file`.
 iserver::ServerOptions server_options(const HostServices&, const std::string& file);
 
-/// Simulates a transputer that executes its own code. If the netlist names a bootable file for the transputer, a host
-/// at one of its links sends the file and serves the program.
+/// Simulates a transputer that executes machine code, instruction by instruction. If the netlist names a bootable file
+/// for the transputer, a host at one of its links sends the file, then answers the program's requests.
 class BootedNode final : public MachineNode {
 public:
     BootedNode(MachineParts&, std::size_t node);
@@ -54,17 +54,18 @@ private:
     transputer::MessageEnd& message_end(std::size_t connection);
 
     transputer::Node& device_;
-    hardware::Link* last_link_ = nullptr; ///< the link that was passed to the last call of has_link()
+    hardware::Link* last_link_ = nullptr; ///< argument of the last call of has_link()
     std::vector<std::unique_ptr<transputer::ByteLink>> lanes_;
     std::map<std::size_t, transputer::MessageEnd>
-        message_ends_; ///< the ends of wires at which simulated processes output and input; key: index in
+        message_ends_; ///< far ends of wires, at which processes of the netlist output and input; key: index in
                        ///< Network::connections
     std::unique_ptr<transputer::Listing> listing_;
     std::unique_ptr<transputer::Stepper> stepper_;
     std::unique_ptr<Host> host_;
-    Process* awaits_end_ = nullptr; ///< process that keeps the run alive until the processes of the image have ended;
-                                    ///< null if there is none
-    std::unique_ptr<OutsideHost> outside_; ///< used in place of `host_` if another program serves the link
+    Process* awaits_end_ = nullptr; ///< for a transputer with an image (Node::image): process that keeps the run going
+                                    ///< until the image's processes have ended; null otherwise
+    std::unique_ptr<OutsideHost>
+        outside_; ///< used in place of `host_` if a program outside the simulation acts as the host
 };
 
 } // namespace placedpar

@@ -23,8 +23,8 @@ public:
 
 } // namespace
 
-/// Returns the kind of a transputer that is in a slot of a bus. Compared with other transputers, it has one more
-/// attribute and one more fault.
+/// Describes a transputer in a slot of a VMEbus. In addition to the attributes and faults of a transputer, it has one
+/// more attribute and the fault `absent`.
 DeviceKind bus_master() {
     DeviceKind kind = transputers();
     kind.name = "bus master";

@@ -56,7 +56,8 @@ private:
     }
 };
 
-/// Accepts a core if its slot is empty. Refuses all other devices.
+/// Returns whether a device can be put into a slot of the shared memory: a core can, if the slot is empty. Refuses all
+/// other devices.
 bool takes_core(const Attached& attached, const BusAttachment& core) {
     const auto refuse = [&](const std::string& message, const char* hint) {
         attached.reporter.error(core.connected, message, hint);

@@ -46,7 +46,8 @@ private:
     hardware::Crossbar& crossbar_;
 };
 
-/// Returns a track for each output of a switch that a program sets. The track shows which input the output repeats.
+/// Returns the names of a switch's tracks in a trace of a run: one track for each output of a switch that a program
+/// sets. The track shows which input is connected to the output.
 std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t node) {
     if (!is_set_at_run_time(network, node))
         return {};
@@ -63,8 +64,8 @@ std::vector<std::string> tracks_of_outputs(const Network& network, std::size_t n
 
 } // namespace
 
-/// Returns the kind of a C004. Drawings for Graphviz omit a C004 that no program sets: a wire through such
-/// switches is drawn from end to end, and its label states how many switches it leads through.
+/// Describes the C004, a crossbar switch. Drawings for Graphviz omit a C004 that no program sets. A wire through such
+/// switches is drawn from end to end, with the number of switches in its label.
 DeviceKind crossbar() {
     return {.name = "c004",
             .noun = "a switch",

@@ -30,8 +30,8 @@ Packet first_packet(const ProcessEnvironment& environment) {
     return {0, static_cast<std::uint32_t>(environment.integer("bytes"))};
 }
 
-/// Simulates the computation for a packet. The parameters `cycles` and `words` state its processor cycles, and its
-/// accesses to memory outside of the chip.
+/// Simulates a computation for each packet. The parameters `cycles` and `words` of the process state the number of
+/// processor cycles, and of accesses to memory outside of the chip.
 class Work {
 public:
     explicit Work(const ProcessEnvironment& environment)
@@ -43,12 +43,11 @@ private:
     CodeShape grain_;
 };
 
-// Each process passes a stated number of packets and then ends. In textbooks these processes run for ever; here they
-// end, so that runs can be compared. A process that ends sooner than its neighbour leaves the neighbour waiting, and
-// the report of the run lists the neighbour. A ring deadlocks at once if none of its processes outputs first
-// (examples/csp/deadlock).
+// In textbooks these processes run for ever. Here each process ends after a stated number of packets, so that runs can
+// be compared. If a process ends sooner than its neighbour, the neighbour waits, and the report of the run lists it. A
+// ring deadlocks at once if none of its processes outputs first (examples/csp/deadlock).
 
-/// Does the following `count` times: inputs a packet, computes, and hands the packet on.
+/// Executes `count` times: inputs a packet, computes, and calls `hand_on` with the packet.
 template <class HandOn>
 void relay(ProcessEnvironment& environment, HandOn hand_on) {
     auto from = environment.input<Packet>("in");
@@ -122,7 +121,7 @@ void consume(ProcessEnvironment& environment) {
     }
 }
 
-/// Returns the statements of a relay in Promela: `count` times, an input followed by the statements of `and_then`.
+/// Returns the Promela statements for relay(): `count` times, an input followed by the statements of `and_then`.
 PromelaStatements relayed(std::function<std::string(const PromelaProcess&)> and_then) {
     return [and_then = std::move(and_then)](const PromelaProcess& self) {
         return promela_loop(self.integer("count"), self.channel("in") + " ? m;\n" + and_then(self));
@@ -153,7 +152,7 @@ ProcessKind producer_kind() {
             .promela = [](const PromelaProcess& self) { return promela_loop(self.integer("count"), handed_on(self)); }};
 }
 
-/// Returns a kind whose processes input packets and output them again. `body` decides in which way.
+/// Returns a kind whose processes input packets and output them again, as `body` does.
 ProcessKind relay_kind(std::string name, std::string about, std::function<void(ProcessEnvironment&)> body) {
     return {.name = std::move(name),
             .about = std::move(about),
@@ -180,7 +179,7 @@ ProcessKind prefix_kind() {
             }};
 }
 
-/// Returns the kind with its port `out` described as an array.
+/// Returns the kind, with a port `out` that is an array.
 ProcessKind with_outputs(ProcessKind kind) {
     kind.ports.back() = packets_out("out", "outputs the packets; an array of one element or more");
     return kind;

@@ -31,8 +31,8 @@ Time timeout_of(const ProcessEnvironment& environment) {
     return std::chrono::microseconds{environment.integer("timeout")};
 }
 
-/// Outputs packets with a time-out. Gives up a packet that was not sent before the time-out, and resets the channel
-/// before the next packet.
+/// Outputs packets with a time-out. After a time-out, gives up the packet, and resets the channel before the next
+/// packet.
 void produce_or_fail(ProcessEnvironment& environment) {
     auto to = environment.output<Packet>("out");
     Packet packet{0, static_cast<std::uint32_t>(environment.integer("bytes"))};

@@ -19,8 +19,8 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 
 namespace {
 
-/// Records a measurement. A measurement by a component of a PAR makes the run unrepeatable, since a replay log does not
-/// record the order of components.
+/// Records a measurement in the history of a process, from which a run can be repeated with another seed. A measurement
+/// by a component of a PAR makes this impossible, since a history does not record the order of components.
 void note(const Process& self, const Measurement& measurement, ReplayLog& history) {
     if (self.parent())
         history.record_unrepeatable();

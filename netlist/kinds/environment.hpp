@@ -17,7 +17,7 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// Holds a result of a process, which is reported at the end of the run.
+/// Holds a result that a process reports at the end of the run, such as a rate.
 struct Measurement {
     std::string process;
     std::string name;
@@ -25,13 +25,13 @@ struct Measurement {
     std::string unit; ///< "" if the value has no unit
 };
 
-/// Gives a running process access to what the netlist defines for the process: the channels at its ports, its
-/// parameters, and its random streams. A process does not need to know its placement, nor whether its channels lead
-/// over links.
+/// Gives the code of a running process what the netlist defines for the process: the channels at its ports, its
+/// parameters, and its random numbers. The code is the same wherever the process is placed, whether or not its channels
+/// lead over links.
 ///
-/// Throws std::logic_error if the kind does not have the port or parameter, or has it with another protocol or type.
-/// Such an error is a defect of the kind. input() and output() throw UserError if the netlist connects the port as an
-/// array.
+/// The functions throw std::logic_error if the kind of the process does not have the port or parameter, or has it with
+/// another type. Such an error is a defect of the kind. input() and output() throw UserError if the netlist connects
+/// the port as an array.
 class ProcessEnvironment {
 public:
     struct Port {
@@ -45,9 +45,9 @@ public:
 
     /// Returns the process's name in the netlist, such as "slave[2]".
     const std::string& process() const { return process_; }
-    /// These two functions return the whole network, and the process's index in Network::processes. A process can find
-    /// the neighbours of its neighbours, for example. No result of a process may depend on the placement of any
-    /// process.
+    /// These two functions return the whole network, and the index of the process in Network::processes. A process can
+    /// thus find the neighbours of its neighbours, for example. Its results must not depend on where processes are
+    /// placed.
     const Network& network() const { return network_; }
     std::size_t index() const { return index_; }
 
@@ -75,8 +75,8 @@ public:
         return ends<Input<T>>(port, [this](AnyChannel& each) { return channel<T>(each).in(); });
     }
 
-    /// Returns the random stream that the run's seed and the given name determine. Two processes that use the same name
-    /// draw the same numbers.
+    /// Returns a sequence of random numbers, which depends only on the run's seed and on the name. Processes that use
+    /// the same name get the same numbers.
     RandomStream random_stream(std::string_view name) const { return RandomStream(seed_, name); }
     std::uint64_t seed() const { return seed_; }
 

@@ -8,36 +8,38 @@
 
 namespace placedpar {
 
-/// Returns the faults that every link can have.
+/// Returns the kinds of faults that every link can have, such as `silent`. A `fault` statement of a netlist gives a
+/// fault to a link or a device.
 const std::vector<FaultKind>& link_faults();
 
-/// Returns the fault `absent`, which every device that answers on a bus can have.
+/// Returns the kind of fault `absent`, which every device that answers accesses on a bus can have: the device stops
+/// answering.
 FaultKind leaves_the_bus();
 bool leaves_the_bus(const Fault&);
 
-/// These two functions return the attribute `from` of every fault, and the attribute `until` of a fault that may end. A
-/// fault with `until = 0` never ends.
+/// These two functions describe the attribute `from` of every fault, and the attribute `until` of a fault that may last
+/// for ever. A fault with `until = 0` lasts for ever.
 AttributeDescription fault_begins();
 AttributeDescription fault_ends();
-/// Returns the attribute `until` of a fault that must end.
+/// Describes the attribute `until` of a fault that must end.
 AttributeDescription fault_must_end();
 
-/// These two functions return the times of the attributes `from` and `until`.
+/// These two functions return the values of the attributes `from` and `until` of a fault.
 Time begin_of(const Fault&);
 Time end_of(const Fault&);
 
-/// Returns the time in the netlist language, such as "20ms".
+/// Returns a time in ns as text of the netlist language, such as "20ms".
 std::string print_nanoseconds(std::int64_t);
 
-/// Returns the fault as its statement, without the first word: "t[0].link[1] silent (from = 20ms)". Attributes with
-/// default values are left out.
+/// Returns the `fault` statement without its first word: "t[0].link[1] silent (from = 20ms)". Attributes with default
+/// values are left out.
 std::string print_fault(const Fault&, const std::vector<Node>&);
 
-/// Returns the text for a drawing: "silent from 20 ms", "slow, 4 times, until 1 s".
+/// Returns a text for a drawing, such as "silent from 20 ms" or "slow, 4 times, until 1 s".
 std::string print_fault_shortly(const Fault&);
 
-/// Returns whether the fault affects the link of this wire. Also works in a network prepared for drawing
-/// (netlist/print).
+/// Returns whether the fault affects this wire. The network may also be one that is prepared for drawing, such as by
+/// with_buses_as_wires() (netlist/print).
 bool strikes(const Fault&, const LinkConnection&);
 
 } // namespace placedpar

@@ -20,33 +20,36 @@ struct CompileChoices {
     bool run_time_checks = true; ///< whether errors at run time, including overflow, are checked
 };
 
-/// Makes process kinds from source files in occam, and from the processes on a node the program of this node, its
-/// image. A netlist names a source file as the program of a process. Several threads may use one object.
+/// Compiles occam for netlists. A netlist can name a source file in occam as the program of a process; this class makes
+/// a kind of process from the file. For each node with such processes, it makes an image: the program that is in the
+/// node's memory when the run begins. Several threads may use one object.
 class FileKinds {
 public:
     virtual ~FileKinds() = default;
 
-    /// Returns whether a program is the name of a source file, such as "phil.occ" or "phil.occ#fork".
+    /// Returns whether the name of a program means a source file in occam, such as "phil.occ", or a PROC in this file,
+    /// such as "phil.occ#fork".
     virtual bool is_file(std::string_view program) const = 0;
-    /// Reads the file. Searches first the folder of the text that names the file, then `folders`. Returns the name by
-    /// which find() knows the kind; "" after reporting errors. Files that have not changed are not read again.
+    /// Reads the file, and makes a kind from it. Searches first the folder of the netlist that names the file, then
+    /// `folders`. Returns the name of the kind, for find(); "" after reporting errors. A file that has not changed is
+    /// not read again.
     virtual std::string read(const std::string& program, const Location& named_at,
                              const std::vector<std::filesystem::path>& folders, Reporter&) = 0;
     /// Returns the kind of a name that read() has returned; null for any other name.
     virtual const ProcessKind* find(std::string_view name) const = 0;
-    /// Returns the paths of the files from which the kind is made, without files that are built into the program.
+    /// Returns the paths of the files from which the kind is made, without libraries that are built into PlacedPar.
     virtual std::vector<std::string> files_of(std::string_view name) const = 0;
 
     /// Sets the options with which image() compiles from now on.
     virtual void choose(const CompileChoices&) = 0;
-    /// Makes the program of a node. It has all processes in occam on the node, and processes that pass on messages
+    /// Makes the image of a node. The image has all processes in occam on the node, and processes that pass on messages
     /// between processes in occam on other nodes. Returns null after reporting errors. REQUIRES: if a channel leads
-    /// from this program to a process that is not in occam, or back, no other channel uses its wire in the same
+    /// from this node's processes in occam to a process in C++, or back, no other channel uses its wire in the same
     /// direction.
     virtual std::shared_ptr<const transputer::Image> image(const Network&, std::size_t node, Reporter&) = 0;
 };
 
-/// Returns the link that connects the node to its host; nothing if the node has no host.
+/// Returns the number of the link that connects the node to its host; nothing if the node has no host.
 std::optional<int> link_to_host(const Network&, std::size_t node);
 
 } // namespace placedpar

@@ -27,26 +27,26 @@ struct RouterCosts;
 
 class MachineNode;
 
-/// Holds the parts of a run that have been made so far. Devices without slots are made first, then the links, then the
-/// devices with slots. Each part may use the parts made before it.
+/// Holds the parts of a simulated machine that have been made so far. Devices without slots are made first, then links,
+/// then devices with slots, such as buses. Each part may use the parts made before it.
 struct MachineParts {
     Simulation& simulation;
     const Network& network;
     std::vector<std::unique_ptr<MachineNode>> nodes; ///< one for each node
-    std::vector<hardware::Link*> links; ///< one for each connection; null for ways over a device with slots
+    std::vector<hardware::Link*> links; ///< one for each connection; null for a way over a device with slots
 };
 
-/// Holds the two carriers of the channels over a connection, one for each direction.
+/// Holds what carries messages over a connection, such as a wire or a way over a bus: one carrier for each direction.
 struct CarrierPair {
     Carrier *from_a_to_b = nullptr, *from_b_to_a = nullptr;
 };
 
-/// Adds the effects of a device's fault to the report. The function is empty if the fault only stops processes.
+/// Adds the effects of a device's fault to the report after the run. Empty if the fault only stops processes.
 using FaultEffects = std::function<void(FaultUse&)>;
 
-/// Simulates a node of the network in a run. The node's DeviceKind makes it. The base class does nothing; a device
-/// overrides the functions that it needs. A device that takes time adds processes and hardware to the simulation. All
-/// devices outlive the simulation.
+/// Simulates a node of the network in a run. DeviceKind::make makes the object. The base class does nothing; a device
+/// overrides the functions that it needs. A device that takes time adds processes and hardware to the simulation. The
+/// object outlives the simulation.
 class MachineNode {
 public:
     /// REQUIRES: the parts outlive this object.
@@ -55,36 +55,39 @@ public:
     MachineNode& operator=(const MachineNode&) = delete;
     virtual ~MachineNode() = default;
 
-    /// Returns the executive of the processes on the node; null if they take no time.
+    /// Returns the processor that executes the processes on the node; null if they take no time.
     virtual Executive* executive() { return nullptr; }
-    /// Tells the device that the link ends at the node. Called before the run.
+    /// Called before the run for each link that ends at the node.
     virtual void has_link(hardware::Link&) {}
-    /// Returns the delay of a bit that crosses the device, in hundredths of a bit time; 0 if no wires cross the device.
+    /// Returns the delay of a bit that passes through this device, a switch, in hundredths of a bit time; 0 for other
+    /// devices.
     virtual std::int64_t crossing_delay() const { return 0; }
-    /// Tells the device that a link leads through it whenever the device connects the two links of this crossing.
-    /// REQUIRES: DeviceKind::is_set_by_link().
+    /// Called before the run for each connection through a switch that programs set: the connection exists while the
+    /// switch connects the two links of this crossing. REQUIRES: DeviceKind::is_set_by_link().
     virtual void lead_on(hardware::Link&, const SwitchCrossing&) {}
-    /// Returns the carriers of the channels over this way. REQUIRES: the device has slots, and the connection is one of
-    /// its ways (Medium::ways).
+    /// Returns what carries messages over this way, a path from one device in a slot to another. REQUIRES: the device
+    /// has slots, and the connection is one of its ways (Medium::ways).
     virtual CarrierPair carriers(std::size_t connection);
-    /// Puts the channel on a wire. One end of the channel is a process; at the other end, the node's own code sends or
-    /// receives the messages. REQUIRES: the node runs its own code; the channel leads over this hop (NetworkChannel).
+    /// Puts a channel on a wire. One end of the channel is at a process in C++; at the other end, the machine code of
+    /// this node sends or receives the messages. REQUIRES: this node executes machine code; the channel leads over this
+    /// hop.
     virtual void carry(AnyChannel&, const RouteHop&);
-    /// Puts the channels that are broadcast on the device (ChannelPlacement::broadcast_on) on their carriers.
+    /// For a bus: prepares the channels that are broadcast on it (ChannelPlacement::broadcast_on). The function returns
+    /// a channel by its index.
     virtual void broadcast(const std::function<AnyChannel&(std::size_t)>& /* channel */) {}
-    /// Makes the device run the ready processes of its own code in a random order. Called before the run.
+    /// Makes the device execute the ready processes of its machine code in a random order. Called before the run.
     virtual void shuffle(std::uint64_t /* seed */) {}
-    /// Tells the device that it has this fault in this run. Called before the run.
+    /// Called before the run for each fault of the device.
     virtual FaultEffects suffer(const Fault&) { return {}; }
-    /// Adds the device's part of the report. Called when the work of the run is over.
+    /// Adds the device's part to the report. Called after the run.
     virtual void report(MachineUse&) const {}
-    /// Returns the processes of the device's own program that wait. Called after a run that ended in a deadlock.
+    /// Returns the waiting processes of the device's machine code. Called after a run that ended in a deadlock.
     virtual std::vector<ProgramWait> program_waits() const { return {}; }
 
-    /// Returns the engine that transfers messages between the node's memory and a link whose partner changes during the
-    /// run.
+    /// Returns the engine that transfers messages between the node's memory and a link that a switch connects to
+    /// several partners in turn.
     hardware::SharedEngine& engine(int link, bool outputs);
-    /// Returns the router that passes packets on over the node's links. The first call makes the router.
+    /// Returns the router, which passes packets on over the node's links. The first call makes the router.
     hardware::Router& router();
 
 protected:
@@ -103,7 +106,7 @@ private:
     std::size_t node_;
     hardware::Router* router_ = nullptr;
     std::map<std::pair<int, bool>, hardware::SharedEngine>
-        engines_; ///< key: link number; true for the engine that outputs
+        engines_; ///< key: number of the link, and whether the engine outputs
 };
 
 /// Makes a device of this class, for DeviceKind::make.

@@ -7,17 +7,20 @@
 
 namespace placedpar {
 
-/// Joins a VMEbus and the device in one of its slots. The MachineNode of the device also derives from this struct.
+/// Holds what a simulated VMEbus and a device in one of its slots need from each other. The class of the device derives
+/// from MachineNode and from this struct.
 struct OnVme {
     virtual ~OnVme() = default;
 
-    hardware::BusProgram program = {};            ///< how a master's program uses the bus
-    hardware::DualPortedMemory* memory = nullptr; ///< memory of a bus master; set by the bus
-    hardware::BusSlave* slave = nullptr;          ///< the slave that answers for the device; set by the bus
+    hardware::BusProgram program = {}; ///< for a master: how its program uses the bus
+    hardware::DualPortedMemory* memory =
+        nullptr; ///< for a bus master, a transputer whose memory other masters can access: this memory; set by the bus
+    hardware::BusSlave* slave = nullptr; ///< the part of the bus that answers accesses to the device; set by the bus;
+                                         ///< null if the device never answers
 };
 
-/// Applies the fault leaves_the_bus() to the device. The fault has no effect on a device that never answers, such as an
-/// adapter without a wire.
+/// Gives a device the fault `absent`: from its beginning to its end, the device answers no access. The fault has no
+/// effect on a device that never answers, such as a link adapter without a wire.
 inline FaultEffects leave(const OnVme& device, const Fault& fault) {
     if (!device.slave)
         return {};

@@ -19,8 +19,8 @@ void OutsideHost::serve() {
     board_.write(from_machine_);
 }
 
-/// Passes on the bytes that have arrived, in both directions. Returns false if the program has closed the link, or if
-/// nothing can happen any more.
+/// Passes on the bytes that have arrived, in both directions. Returns false if the program has closed its connection,
+/// or if nothing can happen any more.
 bool OutsideHost::pass_bytes_on() {
     if (!board_.write(std::exchange(from_machine_, {})))
         return false;
@@ -72,7 +72,7 @@ void OutsideHost::write(std::span<const std::uint8_t> bytes) {
     go_on();
 }
 
-/// Requests an endless input: each output of the machine becomes a part of this input.
+/// Requests an endless input from the transputer: each output of the transputer becomes a part of this input.
 void OutsideHost::taken() { in->take(std::numeric_limits<std::uint32_t>::max()); }
 
 } // namespace placedpar

@@ -14,21 +14,21 @@ namespace iserver {
 class OfferedBoard; // iserver/offered_board.hpp
 } // namespace iserver
 
-/// Lets a program outside the simulation act as the host at a link of an emulated transputer. Virtual time
-/// waits for this program only while nothing else can happen. The times at which the program's bytes arrive therefore
-/// differ from run to run.
+/// Lets another program on this computer act as the host at a link of an emulated transputer, such as INMOS's original
+/// iserver. Virtual time waits for this program only while nothing else can happen in the simulation. The times at
+/// which the program's bytes arrive therefore differ from run to run.
 class OutsideHost final : public transputer::ByteEnd {
 public:
-    /// The host checks for bytes from the program at intervals of this simulated time.
+    /// The host looks for bytes from the program at intervals of this virtual time.
     static constexpr Time looks_every = std::chrono::microseconds{100};
 
     /// REQUIRES: a program has connected to the board, which outlives the run.
     explicit OutsideHost(iserver::OfferedBoard& board) : board_(board) {}
 
-    /// Passes bytes in both directions. This is the body of the host's process. Returns when the program closes the
-    /// link, or when the transputer has stopped.
+    /// Passes bytes between the link and the program, in both directions. This is the body of the host's process.
+    /// Returns when the program closes its connection, or when an error has stopped a transputer.
     void serve();
-    /// Ends serve(). Called when a transputer has stopped.
+    /// Makes serve() return early. Called when an error has stopped a transputer.
     void abandon();
 
 private:
@@ -51,7 +51,7 @@ private:
     iserver::OfferedBoard& board_;
     Process* process_ = nullptr;
     iserver::Bytes from_program_, from_machine_;
-    std::size_t read_ = 0; ///< bytes of `from_program_` that the machine has taken
+    std::size_t read_ = 0; ///< number of bytes of `from_program_` that the transputer has taken
     Alarm alarm_{*this};
     bool gives_ = false, waits_ = false, abandoned_ = false;
 };

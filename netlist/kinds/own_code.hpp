@@ -10,8 +10,9 @@
 
 namespace placedpar {
 
-/// Returns the result of `work`, which calls functions of the kind. If a program built on PlacedPar has added the kind,
-/// any exception of these functions becomes a UserError with the same text. A UserError is rethrown unchanged.
+/// Returns the result of `work`, which calls functions of a kind of process or device. If the kind is part of a user's
+/// program that is built on PlacedPar, an exception from these functions is an error of that program, not of PlacedPar:
+/// it becomes a UserError with the same text. A UserError is rethrown unchanged.
 template <class Kind, class Work>
 auto ask_kind(const Kind& kind, const Work& work) {
     try {
@@ -26,7 +27,7 @@ auto ask_kind(const Kind& kind, const Work& work) {
     }
 }
 
-/// Calls functions of a process's kind as above. The UserError also names the process and its place in the netlist, and
+/// Does the same for the kind of a process. The UserError also names the process and its place in the netlist. It
 /// contains `what`, the question to the kind, such as "whether it is determinate".
 template <class Work>
 auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const char* what, const Work& work) {
@@ -38,7 +39,8 @@ auto ask_kind(const ProcessKind& kind, const ProcessInstance& process, const cha
     }
 }
 
-/// Calls functions of a device's kind as above. The UserError also names the node and its place in the netlist.
+/// Does the same for the kind of a device. If the kind is part of a user's program, the UserError also names the node
+/// and its place in the netlist.
 template <class Work>
 auto ask_device(const Node& node, const Work& work) {
     try {

@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Holds a message of the textbook processes (csp_kinds.hpp): a number, and the length of the message on the wire.
+/// Holds a message of the processes in csp_kinds.hpp: a number, and the length of the message on a link.
 struct Packet {
     std::int64_t number = 0;
     std::uint32_t bytes = 4;
@@ -18,8 +18,9 @@ struct Packet {
     bool operator==(const Packet&) const = default;
 };
 
-/// The byte form of a packet is its number, as an INT of four bytes, followed by zeros up to the length. If a
-/// transputer's own code outputs an INT, a process inputs this INT as a packet of four bytes.
+/// Defines the bytes of a packet on a link, for messages between a process in C++ and a transputer's machine code. The
+/// bytes are the number, as an INT of four bytes, followed by zeros up to the length. If the machine code outputs an
+/// INT, the process inputs this INT as a packet of four bytes.
 template <>
 struct ByteForm<Packet> {
     using SameAs = std::int32_t;
@@ -54,7 +55,8 @@ inline ParameterDescription packet_bytes() {
 inline ParameterDescription packet_cycles(std::string about = "workload: computation for each packet") {
     return integer("cycles", {.unit = "cycles", .by_default = 0, .least = 0, .most = 1e12}, std::move(about));
 }
-/// Returns the parameter `words`, for CodeShape::words_outside.
+/// Returns the parameter `words`: the value of CodeShape::words_outside, the number of a computation's accesses to
+/// external memory.
 inline ParameterDescription packet_words() {
     return integer("words", {.unit = "words", .by_default = 0, .least = 0, .most = 1e9},
                    "workload: accesses to external memory for each packet; an access takes memorycycles, and replaces "

@@ -12,8 +12,9 @@ namespace placedpar {
 
 namespace {
 
-/// Finds which processes wait for which other processes. Each process has a number: the processes of programs come
-/// first, followed by the processes in the report of the deadlock.
+/// Finds which processes wait for which other processes in a deadlock. Each process has a number. First come the
+/// processes of booted programs, the machine code of emulated transputers. Then come the processes in the report of the
+/// deadlock.
 class ProgramWaitGraph {
     static constexpr std::size_t no_process = static_cast<std::size_t>(-1);
 
@@ -53,8 +54,7 @@ public:
         return found == ended_users_.end() ? "none found" : found->second + " (has ended)";
     }
 
-    /// Follows waits, depth first, until a process waits for an earlier process of the search path. Returns the cycle;
-    /// empty if there is none.
+    /// Returns a cycle of processes that wait for each other; empty if there is none. Searches depth first.
     std::vector<std::size_t> cycle() {
         for (std::size_t i = 0; i < waiting_.size(); ++i)
             if (step_to(i); follow())
@@ -66,7 +66,7 @@ private:
     struct Waiting {
         std::string path;
         std::vector<ProgramEnd> awaited;
-        std::vector<std::size_t> components = {}; ///< components for which the process waits
+        std::vector<std::size_t> components = {}; ///< components of a PAR for whose end the process waits
     };
     struct WaitStep {
         std::size_t process;
@@ -78,7 +78,7 @@ private:
         waiting_.push_back({path, awaited});
     }
 
-    /// Adds a process of the report. In the report, a component comes after the process that started it.
+    /// Adds a process of the report. In the report, a component of a PAR comes after the process that started it.
     void add(const StuckProcess& process) {
         const auto parent = numbers_.find(process.path.substr(0, process.path.rfind('/')));
         if (parent != numbers_.end())
@@ -119,7 +119,7 @@ private:
         way_.push_back({process, awaited_by(process)});
     }
 
-    /// Returns the processes for which a process waits. The search follows the last process of the list first.
+    /// Returns the processes for which a process waits. The search continues with the last of them.
     std::vector<std::size_t> awaited_by(std::size_t process) const {
         std::vector<std::size_t> result;
         std::ranges::copy(waiting_[process].components, std::back_inserter(result));
@@ -134,12 +134,12 @@ private:
     std::map<ProgramEnd, std::vector<std::size_t>> comes_to_;
     std::map<ProgramEnd, std::string> ended_users_;
     std::vector<WaitStep> way_;
-    std::map<std::size_t, std::size_t> on_way_; ///< position of each process in way_
+    std::map<std::size_t, std::size_t> on_way_; ///< for each process of the search path: its position in way_
     std::set<std::size_t> visited_;
     std::vector<std::size_t> cycle_;
 };
 
-/// Writes the names of processes of programs into the rows of the channels that lead to these processes.
+/// Writes the names of processes of programs into the rows of the report for channels that lead to these processes.
 void name_partners(std::vector<StuckChannel>& rows, const ProgramWaitGraph& graph) {
     for (StuckChannel& row : rows) {
         const bool outputs = row.waiting == "outputter";
@@ -148,8 +148,9 @@ void name_partners(std::vector<StuckChannel>& rows, const ProgramWaitGraph& grap
     }
 }
 
-/// Adds a row for a channel at which a process of a program waits. If bytes were lost, a process of the netlist may
-/// also wait at the other end. Its row then gets the name of the program's process.
+/// Adds a row to the report for a channel at which a process of a program waits. The report already has a row if a
+/// process of the netlist waits at the other end, because bytes were lost. This row then gets the name of the program's
+/// process.
 void add_row(std::vector<StuckChannel>& rows, const std::string& own, const std::string& other, const ProgramEnd& end) {
     const auto known = std::ranges::find(rows, end.channel, &StuckChannel::name);
     if (known == rows.end())

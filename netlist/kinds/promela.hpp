@@ -10,9 +10,9 @@ namespace placedpar {
 
 struct Network; // netlist/network/network.hpp
 
-/// Gives the facts with which a kind describes a process in Promela, the language of the model checker Spin (G.
-/// Holzmann, "The Spin Model Checker", 2003): the parameters of the process, and its channels as elements of the array
-/// `c` of rendezvous channels.
+/// Gives a kind of process what it needs to print one of its processes in Promela, the language of the model checker
+/// Spin (G. Holzmann, "The Spin Model Checker", 2003): the parameters of the process, and the names of its channels. In
+/// Promela, the channels are elements of the array `c` of rendezvous channels.
 class PromelaProcess {
 public:
     PromelaProcess(const Network& network, std::size_t process) : network_(network), process_(process) {}
@@ -23,8 +23,8 @@ public:
     std::string channel(std::string_view port) const;
     /// Returns the channels of a port array, in order.
     std::vector<std::string> channels(std::string_view port) const;
-    /// Returns a guarded channel, as in occam: the channel while the condition holds, otherwise a channel on which no
-    /// message ever passes.
+    /// Returns a Promela expression for a channel with a guard, as in an ALT of occam: the channel if the condition
+    /// holds, otherwise a channel on which no message ever passes.
     std::string channel_if(std::string_view condition, const std::string& channel) const;
 
 private:
@@ -34,12 +34,12 @@ private:
     std::size_t process_;
 };
 
-/// Returns the statements of a process: its communications in order, without its computations and their duration. The
-/// statements may use the variables `i`, an int, and `m`, a byte that stands for any message. Each statement is on a
+/// Returns the Promela statements of a process: its communications in order, without computations and times. The
+/// statements may use the variables `i`, an int, and `m`, a byte that represents any message. Each statement is on a
 /// separate line, without indentation.
 using PromelaStatements = std::function<std::string(const PromelaProcess&)>;
 
-/// Returns a loop: "for (i : 1 .. 10) {", the statements, "}".
+/// Returns a loop in Promela: "for (i : 1 .. 10) {", the statements, "}".
 std::string promela_loop(std::int64_t times, const std::string& statements);
 
 } // namespace placedpar

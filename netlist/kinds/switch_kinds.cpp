@@ -59,7 +59,7 @@ std::vector<Complaint> check_place_of_logic(const Network& network, std::size_t 
     return {};
 }
 
-/// Connects one link of a switch with some of the other links, one after another.
+/// Sends commands to a switch: connects one link of the switch with some of the other links, one after another.
 class Setter {
 public:
     explicit Setter(ProcessEnvironment& environment)
@@ -76,7 +76,7 @@ public:
             enquire(partner);
     }
 
-    /// Disconnects the partner; otherwise the switch would also repeat the next partner's bytes to this partner.
+    /// Disconnects the present partner. Otherwise bytes for the next partner would reach this partner, too.
     void disconnect(std::size_t partner) {
         commands_.output({SwitchCommand::Kind::disconnect_links, link_, link_of(partner)});
     }

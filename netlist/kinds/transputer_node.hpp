@@ -5,7 +5,8 @@
 
 namespace placedpar {
 
-/// Simulates a transputer: a processor that shares its memory with its link engines.
+/// Simulates a transputer that executes processes in C++, which state how long they compute. The processor and the
+/// links share its memory.
 class TransputerNode : public MachineNode {
 public:
     TransputerNode(MachineParts&, std::size_t node);

@@ -32,9 +32,9 @@ DeviceModel chip(std::string name, std::int64_t memory_bytes, int links, bool ov
 /// Returns the bare chips with their internal memory. The M212 has two links for the network; two more links lead to
 /// its disk ports.
 ///
-/// The databook says that the T800, T805 and T425 overlap acknowledges, and that the T414 does not. For the other chips
-/// we assume the same as for chips of their generation: the T801, T400, T222 and T225 overlap acknowledges, and the
-/// T212 and M212 do not.
+/// Links with overlapped acknowledge send the acknowledge of a byte while the byte arrives. The databook says that the
+/// T800, T805 and T425 do this, and that the T414 does not. For the other chips we assume what is true for chips of
+/// their generation: the T801, T400, T222 and T225 do this; the T212 and M212 do not.
 std::vector<DeviceModel> chips() {
     constexpr bool overlapped = true, separate = false;
     return {chip("T805", 4 * kilobyte, 4, overlapped), chip("T801", 4 * kilobyte, 4, overlapped),
@@ -51,14 +51,14 @@ DeviceModel in_lower_case(DeviceModel model) {
     return model;
 }
 
-/// Describes a TRAM, or one of the transputers on an evaluation board.
+/// Describes a module with a transputer: a TRAM, or a transputer on an evaluation board.
 struct Module {
     std::string name, chip;
     std::int64_t memory_bytes;
 };
 
-/// Returns the modules by the INMOS part numbers in the toolset's `boards.inc` and `trams.inc`, with their memory. The
-/// modules ran at 20 MHz, the kind's default.
+/// Returns the modules with their memory. Their names are the INMOS part numbers in the toolset's files `boards.inc`
+/// and `trams.inc`. The modules ran at 20 MHz, the default here.
 std::vector<Module> modules() {
     return {{"B002", "T414", 2 * megabyte},    {"B003", "T414", 256 * kilobyte}, {"B004", "T414", 2 * megabyte},
             {"B006", "T212", 8 * kilobyte},    {"B010", "T414", 1 * megabyte},   {"B011", "T800", 2 * megabyte},
@@ -77,8 +77,8 @@ DeviceModel carrying(std::string name, std::int64_t memory_bytes, DeviceModel ch
     return chip;
 }
 
-/// Returns whether the word lengths of the chip and of the usual chip of a module differ. Modules were also sold with
-/// other chips of the same word length: the B403_T414, for example, is a B403 with a T414.
+/// Returns whether a chip differs in word length from the usual chip of a module. Modules were also sold with other
+/// chips of the usual word length: the B403_T414, for example, is a B403 with a T414.
 bool has_other_word_length(const DeviceModel& chip, const std::string& usual) {
     return has_short_words(chip.name) != has_short_words(usual);
 }
@@ -163,7 +163,7 @@ std::vector<AttributeDescription> transputer_attributes() {
     return attributes;
 }
 
-/// Returns the attributes that only icconf uses.
+/// Returns the attributes that only INMOS's configurer icconf uses.
 std::vector<std::string> kept_attributes() {
     auto kept = attributes_of_the_real_tool();
     std::erase(kept, "linkquota");
@@ -184,7 +184,7 @@ std::string what_it_cannot_address(const Node& node) {
                        node.type);
 }
 
-/// Makes a transputer that runs simulated processes, or a transputer that executes its own code.
+/// Makes a transputer that executes machine code, or a transputer that executes processes in C++.
 std::unique_ptr<MachineNode> make_transputer(MachineParts& parts, std::size_t node) {
     if (parts.network.nodes[node].runs_own_code)
         return std::make_unique<BootedNode>(parts, node);

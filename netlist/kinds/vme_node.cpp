@@ -37,8 +37,8 @@ hardware::VmePlace place_of(const BusAttachment& attachment) {
             attachment.on_request ? hardware::Release::on_request : hardware::Release::when_done};
 }
 
-/// Simulates a VMEbus, with its masters, memories and link adapters, and the ways over the bus (BusWay). REQUIRES: the
-/// nodes in its slots are OnVme.
+/// Simulates a VMEbus, with its masters, memories and link adapters, and the ways over the bus: the paths of messages
+/// from masters to slaves. REQUIRES: the nodes in its slots derive from OnVme.
 class VmeNode final : public MachineNode {
 public:
     VmeNode(MachineParts& parts, std::size_t index) : MachineNode(parts, index), bus_(make_bus(simulation(), node())) {
@@ -64,8 +64,8 @@ public:
         }
     }
 
-    /// Adds a master that the netlist does not declare. The master requests the bus when the fault begins, and releases
-    /// the bus when the fault ends.
+    /// Simulates the fault `hogged`: adds a master that the netlist does not declare. This master requests the bus when
+    /// the fault begins, and releases the bus when the fault ends.
     FaultEffects suffer(const Fault& fault) override {
         hardware::VmePlace place{static_cast<int>(fault.integer("level")), free_slot(network(), index(), hogs_++)};
         auto& master = simulation().add<hardware::VmeMaster>(fmt::format("slot {}", place.slot), bus_, place);
@@ -113,8 +113,9 @@ private:
             device.slave = device.memory = &simulation().add<hardware::DualPortedMemory>(node.name);
     }
 
-    /// Returns the carriers of a way through memory, in both directions. A workstation both writes and reads the bus
-    /// master's memory, and converts the byte order. Two bus masters each write to the other's memory.
+    /// Returns what carries messages over a way through the memory of a bus master, a transputer on the bus, in both
+    /// directions. A workstation writes and reads the bus master's memory, and converts the byte order. Of two bus
+    /// masters, each writes to the other's memory.
     CarrierPair memory_lanes(const BusWay& way) {
         using From = hardware::MemoryLane::From;
         auto lane = [&](std::size_t master, std::size_t memory, From from, Cycles conversion) {
@@ -160,7 +161,7 @@ private:
     hardware::VmeBus& bus_;
     std::map<std::size_t, hardware::VmeMaster*> masters_; ///< key: index in Network::attachments
     std::map<std::size_t, hardware::AdapterProgram*>
-        adapters_;                      ///< key: index in Network::connections of a way over the adapter
+        adapters_;                      ///< key: index in Network::connections of the way over the adapter
     std::vector<Broadcast> broadcasts_; ///< in the order of their first channels
     std::size_t hogs_ = 0;
 };

@@ -31,8 +31,8 @@ private:
     const DeviceKind& kind_of(std::size_t attachment) const { return *node(attachment).kind; }
     bool is_here(std::size_t attachment) const { return attachments()[attachment].bus == bus_; }
 
-    /// Returns true if `master` reaches the memory of `slave`. Two bus masters reach each other's memory; this counts
-    /// as one way, from the master that was attached first.
+    /// Returns true if a way leads from `master` to the memory of `slave`. Two bus masters can access each other's
+    /// memory; for them there is one way, from the master that was attached first.
     bool shares_memory_with(std::size_t slave, std::size_t master) const {
         return slave != master && is_here(slave) && is_here(master) && kind_of(slave).bus == BusRole::bus_master &&
                kind_of(master).is_master() && (kind_of(master).bus == BusRole::workstation || master < slave);
@@ -52,8 +52,8 @@ private:
             ways_.push_back({master, slave, wire->second});
     }
 
-    /// Returns the master whose program uses the adapter. If there is no such master, or if several masters are
-    /// possible, reports an error, and returns nowhere.
+    /// Returns the master whose program uses the link adapter. If there is no master, or if several are possible,
+    /// reports an error and returns nowhere.
     std::size_t master_of(std::size_t slave) {
         const Node& adapter = node(slave);
         const auto& named = std::get<std::string>(adapter.attributes.at("master"));
@@ -101,7 +101,7 @@ private:
 } // namespace
 
 /// Returns whether a device can be attached to the bus. Reports a request level that the arbiter does not have. Also
-/// reports a second master in a slot, because a bus grant passes each slot once.
+/// reports a second master in a slot, because the grant of the bus is offered to each slot only once.
 bool can_be_attached(const Attached& attached, const BusAttachment& attachment) {
     const Network& network = attached.network;
     if (!network.nodes[attachment.node].kind->is_master())

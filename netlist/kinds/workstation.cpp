@@ -8,7 +8,7 @@ namespace placedpar {
 
 namespace {
 
-/// Limits the number of links. A workstation has all links that the netlist uses.
+/// Limits the number of links of a workstation, which has as many links as the netlist uses.
 constexpr int most_workstation_links = 1 << 20;
 
 class WorkstationNode : public MachineNode, public OnVme {
@@ -26,7 +26,8 @@ public:
     }
 
 private:
-    hardware::Workstation* computer_ = nullptr; ///< null if the workstation is on no bus; processes then take no time
+    hardware::Workstation* computer_ =
+        nullptr; ///< null if the workstation is not attached to a bus; its processes then take no time
 };
 
 } // namespace

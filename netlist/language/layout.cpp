@@ -19,7 +19,7 @@ bool is_one_of(const Token& token, std::string_view symbols) {
     return token.kind == TokenKind::symbol && token.text.size() == 1 && symbols.find(token.text) != symbols.npos;
 }
 
-/// Returns whether a token is a sign or another operator in front of its operand, after which no blank is written.
+/// Returns whether a token is an operator with one operand, such as a sign. No blank is written after it.
 bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
     if (!is_one_of(tokens[index], "-+!~") || index < 2)
         return false;
@@ -28,9 +28,9 @@ bool is_unary(const std::vector<Token>& tokens, std::size_t index) {
     return begins_value || (before.kind == TokenKind::symbol && !is_one_of(before, ")]"));
 }
 
-/// Returns the blanks between two words of a line. Before a parenthesis that follows a name, and at braces, there
-/// is a blank if and only if the text has blanks there. Two minus signs stay apart, because the lexer reads `--` as a
-/// comment of occam.
+/// Returns the blanks between two words of a line. Before a parenthesis that follows a name, and at braces, the result
+/// has a blank only if the text has blanks there. Two minus signs stay apart, because `--` begins a comment in occam,
+/// which the lexer refuses.
 std::string gap(const std::vector<Token>& tokens, std::size_t index, std::string_view written) {
     const Token &before = tokens[index - 1], &token = tokens[index];
     const bool either =
@@ -134,7 +134,8 @@ private:
         open_bracket(i);
     }
 
-    /// Returns the depth of the statement that begins with this word. The place of a `val` is the place of its name.
+    /// Returns the depth of the statement that begins with this word. The syntax tree has for a `val` statement the
+    /// place of its name.
     std::optional<std::size_t> depth_at(std::size_t i) const {
         const Token& token = tokens_[i];
         if (token.is_word("val") && i + 1 < tokens_.size())
@@ -185,7 +186,7 @@ private:
         }
     }
 
-    /// Adds a comment as it is written. The gap in front of it stays, since comments are often aligned.
+    /// Adds a comment unchanged. The blanks before it stay, since comments are often aligned.
     void add_comment(std::size_t i, std::string_view space, std::string_view comment) {
         if (line_.empty())
             line_ = std::string(indentation_of_comment(i), ' ');

@@ -8,9 +8,9 @@
 
 namespace placedpar {
 
-/// Returns a netlist with another layout: indentation by blocks, one blank between words, no blanks at the ends of
-/// lines, at most one empty line. Words, comments and the breaks between lines stay. Returns nothing for a text with an
-/// error in its syntax.
+/// Returns the text of a netlist with tidy blanks: lines are indented by blocks, words are separated by one blank, and
+/// at most one empty line is left between lines. Words, comments and line breaks stay. Returns nothing if the text has
+/// an error in its syntax.
 std::optional<std::string> laid_out_netlist(const std::shared_ptr<const SourceFile>&);
 
 } // namespace placedpar

@@ -19,8 +19,8 @@ std::string shown(std::string_view character, char32_t code) {
                        : fmt::format("\"{}\" (U+{:04X})", character, static_cast<std::uint32_t>(code));
 }
 
-/// Returns a hint if word processors write this character in place of a character of the language, such as a dash in
-/// place of "-".
+/// Returns a hint for a character that word processors write in place of a character of the language, such as a dash
+/// for "-"; "" for other characters.
 std::string character_meant(char32_t code) {
     static constexpr std::u32string_view dashes = U"\u2010\u2011\u2012\u2013\u2014\u2212",
                                          quotes = U"\u201c\u201d\u201e", apostrophes = U"\u2018\u2019\u201a",

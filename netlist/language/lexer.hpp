@@ -13,21 +13,22 @@ inline constexpr std::size_t longest_string = 2000;
 /// Limits the length of a name, so that a statement with several names and subscripts can be printed on one line.
 inline constexpr std::size_t longest_name = 255;
 
-/// Splits a source into tokens, and returns one at a time. Text that is not a token is reported, and returned as an
-/// illegal token. Comments are written as in C, from slash star to star slash; the language has no other comments.
+/// Splits the text of a netlist into tokens, and returns one token at a time. Reports text that is not a token, and
+/// returns it as an illegal token. The language has only the comments of C, from slash star to star slash.
 class Lexer {
 public:
-    /// If `origins` is empty, the tokens have their places in `file`; otherwise `origins` gives the places.
+    /// `origins` is for a text that was made from another file: it gives the places of the tokens in that file. If
+    /// `origins` is empty, the tokens have their places in `file`.
     Lexer(std::shared_ptr<const SourceFile> file, Reporter& reporter, std::vector<PartOrigin> origins = {});
 
-    /// Returns the next token; at the end of the text, always a token of kind `end`.
+    /// Returns the next token. At the end of the text, each call returns a token of kind `end`.
     Token next();
     /// Skips the rest of the line.
     void skip_line();
-    /// Reads the file name in quotes after `#include`; a `\` in it is not an escape. Returns nothing if no name follows
-    /// on this line.
+    /// Reads the file name in quotes after `#include`, in which `\` is an ordinary character. Returns nothing if no
+    /// name follows on this line.
     std::optional<Token> read_file_name();
-    /// Returns the place after the last token.
+    /// Returns the current place, after the characters read so far.
     Location here() const { return origins_.empty() ? Location{file_, line_, column_} : origin(); }
 
 private:
@@ -59,7 +60,7 @@ private:
     Token read_string();
     Token read_character();
     Token refuse_empty_character(Token token);
-    /// Reads a character of a string or character constant, and resolves its escape.
+    /// Reads one character of a string or character constant, which may be written as an escape.
     char read_one();
     char read_escaped(const Location& start);
     char read_numeric_escape(int base, int most_digits, const Location& start);

@@ -46,8 +46,8 @@ private:
         declare_all(form.names, name);
     }
 
-    /// Returns a name declared with this type. The name's `type` is the type from which all `define` statements derive
-    /// it.
+    /// Returns a name that is declared with this type. If `define` statements made the type, the result's `type` is the
+    /// predefined type from which they derive it.
     NetlistName declared_by(const std::string& type, const Location& at, const DeclarationAttributes& attributes) {
         use(type, at);
         const NetlistName* const base = visible(type);

@@ -13,15 +13,16 @@
 
 namespace placedpar {
 
-/// Describes a name that a netlist declares.
+/// Describes a name that a netlist declares. The structures in this file serve editors, which explain and complete
+/// names.
 struct NetlistName {
     enum class Category { val, type, node, process, connection, edge_channel, replicator };
     std::string name = "";
     Location at = {};
     Category category = Category::val;
-    std::string type = "";    ///< the word for the type in the declaration of a node, a process or a type
-    std::string program = ""; ///< program that `use` gives a process; "" if none
-    std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< interface of a process
+    std::string type = "";    ///< for a node, a process or a type: the name of its type, such as "T800"
+    std::string program = ""; ///< for a process: the program that a `use` statement names; "" if none
+    std::vector<std::string> inputs = {}, outputs = {}, parameters = {}; ///< for a process: the names in its interface
 };
 
 /// Describes a place where a netlist uses a name.
@@ -30,14 +31,15 @@ struct NetlistNameUse {
     std::size_t name = 0; ///< index in NetlistSyntax::names
 };
 
-/// Holds the syntax of a netlist for an editor: words, statements, and the meaning of names.
+/// Holds the words and statements of a netlist, and the declaration of each name.
 struct NetlistSyntax {
     std::shared_ptr<const SourceFile> file;
     std::vector<Token> tokens = {}; ///< tokens of the file itself, without tokens of included files
     Statements statements = {};
-    std::vector<NetlistName> names = {}; ///< names of the file and of included files, in the order of the text
+    std::vector<NetlistName> names =
+        {}; ///< names that the file and its included files declare, in the order of the text
     std::vector<NetlistNameUse> uses = {};
-    std::vector<Diagnostic> diagnostics = {}; ///< diagnostics of lexer and parser
+    std::vector<Diagnostic> diagnostics = {}; ///< errors that the lexer and the parser found
     std::vector<std::string> included = {};   ///< paths of the included files
 
     /// Returns the name that is declared or used at a place; null if there is none.
@@ -48,11 +50,11 @@ struct NetlistSyntax {
 
 NetlistSyntax read_syntax(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> include_folders = {});
 
-/// Returns the tokens of a text, including tokens that the lexer refuses, without reporting errors. The last token is
-/// the end.
+/// Returns the tokens of a text, without reporting errors. Illegal tokens are included. The last token is of kind
+/// `end`.
 std::vector<Token> tokens_of(const std::shared_ptr<const SourceFile>&);
 
-/// Returns the index of the token that contains this place or ends there; nothing if there is none.
+/// Returns the index of the token that contains this place, or that ends there; nothing if there is none.
 std::optional<std::size_t> token_at(const std::vector<Token>&, const Location&);
 
 } // namespace placedpar

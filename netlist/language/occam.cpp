@@ -11,8 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Classifies a line by the kind of occam text that contains it. The class of a text is the highest class among its
-/// lines.
+/// Says what a line tells about a text: nothing, or that the text is occam of some kind. The value for a text is the
+/// highest value among its lines.
 enum class Dialect { none, comment, program, toolset, development_system };
 
 constexpr const char* hint_for(Dialect dialect) {
@@ -47,7 +47,7 @@ bool is_processor(std::string_view line) {
     return !number.empty() && is_digit(number.front());
 }
 
-/// Returns true for an include of an occam library, `#INCLUDE "hostio.inc"`. A netlist never includes an occam library.
+/// Returns true for a line that includes an occam library, such as `#INCLUDE "hostio.inc"`, which a netlist never does.
 bool includes_library(std::string_view line) {
     static constexpr std::array<std::string_view, 7> libraries{
         "hostio.inc", "streamio.inc", "linkaddr.inc", "mathvals.inc", "ticonst.inc", "msdos.inc", "occonf.inc"};
@@ -75,8 +75,8 @@ bool is_of_toolset(std::string_view line) {
 
 bool is_statement_of_netlist(std::string_view line) { return line.ends_with(';'); }
 
-/// Returns true for a comment, and for a fold as the development system's editor lists it: open ({{{ name) or closed
-/// (... name).
+/// Returns true for a comment and for a fold. The editor of the transputer development system writes an open fold as
+/// `{{{ name` and a closed fold as `... name`.
 bool is_comment_or_fold(std::string_view line) {
     static constexpr std::array<std::string_view, 3> beginnings{"--", "{{{ ", "..."};
     return begins_with_any(line, beginnings);

@@ -21,7 +21,8 @@ bool is_parameter_type(std::string_view word) {
 
 } // namespace
 
-/// Returns whether a name follows the parentheses, as in `T800 (memory = 1M) root;`, but not in `root (n = 4);`.
+/// Returns whether a name follows the parentheses. In `T800 (memory = 1M) root;` it does; in `root (n = 4);` it does
+/// not.
 bool Parser::behind_attributes_comes_name() {
     if (tokens_.peek(1).kind == TokenKind::name)
         return true;
@@ -84,8 +85,8 @@ DeclarationAttributes Parser::parse_declaration_attributes() {
     return result;
 }
 
-/// Parses an attribute of a process. Refuses a misspelt `interface` here, since the channels and parameters after it
-/// would cause misleading errors.
+/// Parses an attribute of a process. Refuses a misspelt `interface` here: the channels and parameters that follow it
+/// would otherwise cause misleading errors.
 Attribute Parser::parse_process_attribute() {
     const auto& name = tokens_.peek();
     bool has_parts = name.kind == TokenKind::name && tokens_.peek(1).is("(");

@@ -120,8 +120,8 @@ bool Parser::statement_is_over() {
     return next.kind == TokenKind::end || next.is("}") || is_statement_word(next);
 }
 
-/// Expects ";". If only the ";" is missing, reports it, and parsing continues with the next statement; otherwise
-/// refuses the token.
+/// Takes ";". If only the ";" is missing, reports this, and parsing continues with the next statement. If the next
+/// token belongs to the statement, refuses the token.
 void Parser::expect_semicolon(std::string_view statement) {
     if (accept(";"))
         return;

@@ -10,26 +10,26 @@
 
 namespace placedpar {
 
-/// Limits the nesting of blocks, `rep` and `if` statements, parentheses, brackets, attributes, signs and casts. Deeper
-/// nesting is refused, so that no text can exhaust the stack.
+/// Limits the nesting of blocks, `rep` and `if` statements, parentheses, brackets, attributes, signs and casts, so that
+/// no text can exhaust the stack.
 inline constexpr int deepest_nesting = 200;
-/// Limits the height of an expression's tree. The highest tree of the form `1 + 1 + ...` has 1000 operators.
+/// Limits the height of an expression's tree: `1 + 1 + ...` may have 1000 operators.
 inline constexpr int highest_expression = 1001;
 
-/// Parses the grammar of docs/reference/netlist-language.md by recursive descent. After an error, parsing continues
-/// after the next `;`, so that one pass reports several errors.
+/// Parses a netlist by recursive descent, with the grammar of docs/reference/netlist-language.md. After an error,
+/// parsing continues after the next `;`, so that several errors are reported together.
 class Parser {
 public:
     Parser(TokenStream& tokens, Reporter& reporter) : tokens_(tokens), reporter_(reporter) {}
 
     Statements parse_netlist();
-    /// Parses one expression with nothing after it. Throws StatementRefused after reporting an error.
+    /// Parses a text that consists of one expression. Throws StatementRefused after reporting an error.
     ExpressionPointer parse_whole_expression();
-    /// Parses `reference =`, the target of an option that sets a value. Throws StatementRefused after reporting an
-    /// error.
+    /// Parses the beginning of an option such as `p[1].n = 4`, up to the `=`. Throws StatementRefused after reporting
+    /// an error.
     Reference parse_target();
-    /// Parses a fault as an option states it: a `fault` statement without the word `fault` and the `;`. Throws
-    /// StatementRefused after reporting an error.
+    /// Parses the value of the option `--fault`, such as `t[0].link[1] silent`: a `fault` statement without the word
+    /// `fault` and without the `;`. Throws StatementRefused after reporting an error.
     Statement parse_fault_option();
 
 private:
@@ -52,7 +52,7 @@ private:
     std::vector<Declarator> parse_declarators(std::string_view what);
     Declarator parse_declarator(std::string_view what);
     Declarator parse_type_name();
-    /// Takes the name of a type. The reserved word `process` is also accepted.
+    /// Takes the name of a type, or the reserved word `process`.
     Token expect_type(std::string_view what);
 
     // parse_attribute.cpp
@@ -81,7 +81,7 @@ private:
 
     // parse_expression.cpp
     ExpressionPointer parse_expression();
-    /// Parses an operation whose operators bind more strongly than `weakest`.
+    /// Parses operands and operators, as long as the operators bind more strongly than `weakest`.
     ExpressionPointer parse_operation(int weakest);
     ExpressionPointer parse_conditional(ExpressionPointer condition);
     ExpressionPointer parse_unary();
@@ -91,7 +91,7 @@ private:
     ExpressionPointer parse_primary();
     ExpressionPointer parse_array_constant();
     ExpressionPointer combine(const Token& symbol, ExpressionPointer left, ExpressionPointer right);
-    /// Returns the height of an expression that has these parts. Refuses the expression if the height exceeds
+    /// Returns the height of the tree of an expression with these parts. Refuses the expression if the height exceeds
     /// highest_expression.
     int height_above(const Location& at, std::initializer_list<const Expression*> parts);
 
@@ -101,7 +101,8 @@ private:
     void expect_semicolon(std::string_view statement);
     bool on_another_line();
     bool statement_is_over();
-    /// Returns the place where something is missing: here, or after the last token if that token is on an earlier line.
+    /// Returns the place for a message that something is missing: the next token, or the end of the last token if the
+    /// next token is on a later line.
     Location gap();
     Token expect_name(std::string_view what);
     [[noreturn]] void refuse_missing(std::string_view what, std::string_view where);
@@ -119,7 +120,7 @@ private:
     TokenStream& tokens_;
     Reporter& reporter_;
     int depth_ = 0;
-    int arrays_open_ = 0; ///< number of array constants that are being read
+    int arrays_open_ = 0; ///< number of array constants, each in another, that are being parsed
     std::optional<Token>
         misspelt_; ///< first word of the current statement, if it is probably a misspelt word of the language
     std::set<std::string, std::less<>> types_; ///< names of the types that the netlist defines
@@ -135,10 +136,10 @@ std::span<const std::string_view> parameter_types();
 bool is_reserved(std::string_view word);
 /// Returns whether a netlist can use the text as a name: a single word that is not reserved.
 bool can_be_a_name(std::string_view text);
-/// Returns the word of `words` that differs from `word` in one or two letters, or only in capital letters; "" if there
-/// is none.
+/// Returns the word of `words` that differs from `word` in one or two letters, or only in upper and lower case; "" if
+/// there is none.
 std::string word_meant(const std::string& word, const std::vector<std::string>& words);
-/// Returns the word that probably was meant, among the words that begin a statement; "" if there is none.
+/// Returns word_meant() among the words that begin a statement.
 std::string word_meant(const std::string& word);
 
 } // namespace placedpar

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// These structures form the syntax tree of a netlist, before its names are resolved.
+/// These structures form the syntax tree of a netlist. Parser makes the tree, and Elaborator executes its statements.
 
 struct Expression;
 using ExpressionPointer = std::unique_ptr<Expression>;
@@ -57,14 +57,14 @@ struct ArrayConstant {
 };
 
 struct Expression {
-    Location at; ///< location; an operation with two or three operands is located at its operator
+    Location at; ///< the first token; for an operation with two or three operands, its operator
     std::variant<IntegerLiteral, RealLiteral, TextLiteral, NameUse, UnaryOperation, BinaryOperation,
                  ConditionalOperation, CastOperation, SubscriptOperation, SizeOperation, ArrayConstant>
         form;
-    int height = 1; ///< height of the tree, limited so that walking it cannot exhaust the stack
+    int height = 1; ///< height of this tree; limited, so that recursive functions cannot exhaust the stack
 };
 
-/// Names a declared thing or a part of a thing, such as `name[1][2].field[3]`.
+/// Names something that the netlist declares, or a part of it, such as `name[1][2].field[3]`.
 struct Reference {
     Location at;
     std::string name;
@@ -74,7 +74,7 @@ struct Reference {
     std::vector<ExpressionPointer> field_subscripts;
 };
 
-/// Holds an attribute `name = value`, or `name (a = 1, b = 2)` with a group in place of the value.
+/// Holds an attribute, such as `name = value`, or a group of attributes, such as `name (a = 1, b = 2)`.
 struct Attribute {
     std::string name;
     Location at;
@@ -96,10 +96,10 @@ using EntryType = std::variant<Direction, std::string>;
 struct InterfaceEntry {
     EntryType type;
     Declarator declarator;
-    ExpressionPointer default_value; ///< null if no default is given, and for channels
+    ExpressionPointer default_value; ///< null for a channel end, and for a parameter without a default
 };
 
-/// Holds the contents of the parentheses of a declaration. Only processes have an interface.
+/// Holds what is in the parentheses of a declaration. Only a declaration of processes may have an interface.
 struct DeclarationAttributes {
     std::vector<Attribute> attributes;
     std::optional<std::vector<InterfaceEntry>> interface;
@@ -135,24 +135,24 @@ struct EdgeChannelDeclaration {
     Direction direction;
     std::vector<Declarator> names;
 };
-/// Holds a statement such as `name (n = 4);`. It sets parameters of a process, or attributes of a connection or of a
-/// process type.
+/// Holds a statement such as `name (n = 4);`, which sets parameters of a process, or attributes of a node, a connection
+/// or a type of processes.
 struct ParameterSetting {
     Reference process;
     std::vector<Attribute> values;
 };
-/// Holds an option such as `n = 4` or `p[1].n = 4`. It sets a val, or an attribute or a parameter of a declared
-/// element.
+/// Holds an option `--set` such as `n = 4` or `p[1].n = 4`. The option sets a constant (`val`), or an attribute or
+/// parameter of declared nodes, connections or processes.
 struct SetStatement {
     Reference target;
     ExpressionPointer value; ///< null if the text is not an expression, such as a string without quotes
-    std::string typed;       ///< the text of the value
+    std::string typed;       ///< the text of the value, as the user typed it
     Location value_at;
-    std::vector<Diagnostic> problems; ///< errors that tell why the text is not an expression
-    std::size_t place = 0;            ///< position of the option among all options
+    std::vector<Diagnostic> problems; ///< errors of an attempt to parse the text as an expression
+    std::size_t place = 0;            ///< position of the option among the options `--set` in order of their names
 
-    /// Returns how precise the target is: 0 for a member of every element, 1 for a member of a named element or array,
-    /// and one more for each subscript.
+    /// Returns how precise the target is; a more precise option has precedence. `n` has 0, `p.n` has 1, `p[1].n` has 2,
+    /// and each further subscript adds 1.
     std::size_t precision() const { return target.field.empty() ? 0 : 1 + target.subscripts.size(); }
 };
 struct ConnectStatement {
@@ -176,7 +176,8 @@ struct FaultStatement {
 struct RepStatement {
     std::string name;
     Location name_at;
-    ExpressionPointer first, count, last; ///< `for count` sets `count`, `to last` sets `last`; the other is null
+    ExpressionPointer first, count,
+        last; ///< `for count` sets `count`, and `to last` sets `last`; the pointer that is not set is null
     std::unique_ptr<Statement> body;
 };
 struct IfStatement {
@@ -188,15 +189,15 @@ struct BlockStatement {
 };
 
 struct Statement {
-    Location at; ///< location of the name in a `val`, and of the first word in any other statement
+    Location at; ///< place of the name in a `val` statement, and of the first word in any other statement
     std::variant<ValStatement, DefineStatement, Declaration, ConnectionDeclaration, EdgeChannelDeclaration,
                  ParameterSetting, SetStatement, ConnectStatement, UseStatement, PlaceStatement, FaultStatement,
                  RepStatement, IfStatement, BlockStatement>
         form;
 };
 
-/// Functions throw this exception if they cannot continue with a statement. They report the error first. The exception
-/// is caught where the statement is executed or parsed.
+/// A function that cannot continue with a statement reports the error and throws this exception. The function that
+/// parses or executes statements in sequence catches the exception and continues with the next statement.
 struct StatementRefused {};
 
 } // namespace placedpar

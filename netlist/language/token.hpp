@@ -13,14 +13,15 @@ enum class TokenKind {
     real,
     text,      ///< a string constant
     symbol,    ///< punctuation and operators, in `text`
-    illegal,   ///< text that the lexer could not read, and has reported
+    illegal,   ///< text that is not a token; the lexer has reported it
     directive, ///< `#include`; `text` holds the word after `#`
     end
 };
 
-/// Holds an integer constant in both readings of its suffix: `20M` is 20971520 as a size and 20000000 as a frequency.
-/// Some attributes, such as `clock` and `linkspeed`, take the second reading (AttributeDescription::decimal_suffixes).
-/// Constants keep both readings through `val`s and arithmetic.
+/// Holds both readings of an integer constant with a suffix: `20M` is 20971520 as a size (`value`) and 20000000 as a
+/// frequency (`decimal`). Attributes such as `clock` and `linkspeed` take the second reading
+/// (AttributeDescription::decimal_suffixes). Arithmetic computes both readings, so that the suffix keeps its meaning in
+/// a `val`.
 struct Integer {
     std::int64_t value = 0;
     std::int64_t decimal = 0;
@@ -28,11 +29,11 @@ struct Integer {
 
 struct Token {
     TokenKind kind = TokenKind::end;
-    std::string text; ///< name, symbol, or the string with its escapes resolved
+    std::string text; ///< the name, the symbol, or the characters of the string
     Integer integer;
     double real = 0;
     Location at;
-    Location end = {}; ///< the location after its last character
+    Location end = {}; ///< the place after its last character
 
     bool is(std::string_view symbol) const { return kind == TokenKind::symbol && text == symbol; }
     bool is_word(std::string_view word) const { return kind == TokenKind::name && text == word; }

@@ -11,18 +11,18 @@
 
 namespace placedpar {
 
-/// Limits the number of tokens. No sensible netlist reaches the limit, but a chain of files could exceed it, if each
-/// file includes the next file twice.
+/// Limits the number of tokens. A chain of files in which each file includes the next file twice could otherwise give
+/// too many tokens.
 inline constexpr std::size_t most_tokens = 8'000'000;
 inline constexpr std::size_t most_includes = 1000;
 inline constexpr std::size_t most_included_bytes = 4 * largest_source_bytes;
 
-/// Gives the tokens of a source and of all included files as one sequence with lookahead. A file that includes itself,
-/// directly or through others, is refused.
+/// Gives the tokens of a netlist and of the files that it includes as one sequence, with lookahead. Refuses a file that
+/// includes itself, directly or through other files.
 class TokenStream {
 public:
-    /// Included files are looked for beside the file that includes them, then in `include_folders`. `origins` has the
-    /// meaning that it has in the constructor of Lexer, for the text of `main`.
+    /// Searches for an included file first in the folder of the file that includes it, then in `include_folders`.
+    /// `origins` gives the places of the tokens of `main`, if this text was made from another file (Lexer).
     TokenStream(std::shared_ptr<const SourceFile> main, const std::filesystem::path& path, Reporter& reporter,
                 std::vector<std::filesystem::path> include_folders = {}, std::vector<PartOrigin> origins = {});
 
@@ -32,13 +32,13 @@ public:
     const Location& behind_last() const { return behind_last_; }
     /// Returns the paths of the files included so far.
     std::vector<std::string> take_included() { return std::move(included_); }
-    /// Returns whether an `#include` of a file of the toolset has been read so far. The file need not exist.
+    /// Returns whether an `#include` of a file of INMOS's toolset has been read so far. The file need not exist.
     bool includes_toolset() const { return includes_toolset_; }
 
 private:
     struct Open {
         Lexer lexer;
-        std::filesystem::path path; ///< canonical; compared to find cycles
+        std::filesystem::path path; ///< canonical path, which is compared to find cycles of includes
         Location included_at;
     };
 

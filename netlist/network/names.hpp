@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// These functions handle the names of arrays and their elements. Elements are ordered so that the last subscript
-/// varies fastest.
+/// These functions handle the names of arrays and their elements in netlists. Elements are ordered so that the last
+/// subscript varies fastest.
 
 /// Returns "out" for "out[2]"; returns a name without a subscript unchanged.
 std::string_view base_name(std::string_view name);
@@ -19,12 +19,12 @@ std::string_view base_name(std::string_view name);
 std::vector<std::int64_t> subscripts_of(std::string_view name);
 /// Returns "name[1][2]".
 std::string element_name(const std::string& name, const std::vector<std::int64_t>& subscripts);
-/// Returns the number of elements of an array; 1 for a single thing, which has no dimensions.
+/// Returns the number of elements of an array; 1 if there are no dimensions.
 std::size_t element_count(const std::vector<std::int64_t>& dimensions);
-/// Returns the subscripts of the element at this position, counted from 0.
+/// Returns the subscripts of the element at this position in its array, counted from 0.
 std::vector<std::int64_t> element_subscripts(std::size_t position, const std::vector<std::int64_t>& dimensions);
 
-/// Returns the names of all things.
+/// Returns the member `name` of each thing.
 template <class Things>
 std::vector<std::string> names_in(const Things& things) {
     std::vector<std::string> names;

@@ -44,8 +44,8 @@ bool has_bootable_file(const Network& network) {
 
 namespace {
 
-/// Returns for each thing its position after the removal of all things for which `stays` returns false; nowhere for a
-/// removed thing.
+/// Returns the new index of each element of `things` after all elements for which `stays` returns false are removed;
+/// nowhere for a removed element.
 template <class Things, class Stays>
 std::vector<std::size_t> positions_after(const Things& things, const Stays& stays) {
     std::vector<std::size_t> positions;

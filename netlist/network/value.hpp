@@ -6,8 +6,8 @@
 
 namespace placedpar {
 
-/// Holds the value of a parameter or an attribute after elaboration: the value in the netlist, or the kind's default
-/// value. TRUE and FALSE are the integers 1 and 0, as in the configuration language.
+/// Holds the value of a process's parameter or a device's attribute: the value that the netlist states, or the default
+/// value. TRUE and FALSE are the integers 1 and 0, as in INMOS's configuration language.
 using Value = std::variant<std::int64_t, double, std::string>;
 
 } // namespace placedpar

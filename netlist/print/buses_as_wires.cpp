@@ -17,8 +17,9 @@ LinkConnection line_of(const BusAttachment& attachment) {
     return line;
 }
 
-/// Returns the hops of a way over a bus: from the master to the bus, on to the slave, and over the slave's wire if
-/// there is one. `lines` is the index of the first line that stands for an attachment.
+/// Returns the hops of a way over a bus in the drawing: from the master to the bus, on to the slave, and over the
+/// slave's wire if there is one. In the drawing, a line from a device to the bus is a connection. `lines` is the index
+/// of the first of these connections.
 std::vector<RouteHop> hops_over(const BusWay& way, const Network& network, std::size_t lines) {
     std::vector<RouteHop> hops{{lines + way.master, true}, {lines + way.slave, false}};
     if (way.wire != nowhere)

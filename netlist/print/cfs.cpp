@@ -29,19 +29,19 @@ std::vector<ElementRange> ranges_of(const Things& things) {
     return element_ranges(things.size(), [&](std::size_t i) { return std::string_view(things[i].name); });
 }
 
-/// Returns whether an include file of the toolset declares the node's type.
+/// Returns whether an include file of INMOS's toolset declares the type of the node.
 bool is_declared_by_toolset(const Node& node) {
     return node.kind->name == "processor" || node.kind->links == LinkRole::edge;
 }
 
 enum class ParameterOrder { as_given, by_name };
 
-/// Tells whether the text of routes is written, or only its bytes are counted. In a text that is too large, most bytes
-/// belong to routes.
+/// Tells whether the text of routes is written, or only its bytes are counted. Counting is fast, and routes are most of
+/// the text if the text is too large.
 enum class Routes { written, counted };
 
-/// Writes one network as a netlist without `rep`, `define` and changed defaults: each declaration states its
-/// attributes.
+/// Writes a network as a netlist without `rep` and `define`: each declaration states its own attributes. Also writes
+/// the canonical form, whose hash identifies the network.
 class CfsPrinter {
 public:
     CfsPrinter(const Network& network, ParameterOrder order) : n_(network), order_(order) {}
@@ -74,7 +74,7 @@ public:
         return std::exchange(text_, {});
     }
 
-    /// Returns the length of print_mapping()'s text in bytes, without making the text of routes.
+    /// Returns the number of bytes in the text of print_mapping(), without making the text of routes.
     std::size_t mapping_bytes() {
         routes_ = Routes::counted;
         print_places();
@@ -84,14 +84,14 @@ public:
 
 private:
     /// Returns the path of a bootable file or, in the canonical form, the hash of its contents. The hash of the network
-    /// then changes if the program changes, but not if the file only moves.
+    /// thus changes if the program changes. It does not change if the file only moves.
     std::string boot_file(const Node& node) const {
         return order_ == ParameterOrder::as_given ? print_constant(node.boot_file)
                                                   : fmt::format("{:016x}", boot_hash(node));
     }
 
-    /// Returns the program of a process. In the canonical form, the hash of a source file replaces the name of the
-    /// file.
+    /// Returns the program of a process. In the canonical form, the hash of a source file is in place of the file's
+    /// name.
     std::string program(const ProcessInstance& process) const {
         return order_ == ParameterOrder::as_given || process.program_hash == 0
                    ? print_constant(process.kind)
@@ -133,9 +133,8 @@ private:
                 line("{} (rank = {});", node.name, *node.rank);
     }
 
-    /// Returns whether the node is the toolset's predefined edge "host", which need not be declared. This edge is
-    /// declared at its first use, after all other nodes, so the node must be the last node to keep its position when
-    /// the text is read again.
+    /// Returns whether the node is the toolset's predefined edge "host", so that the text need not declare it. When the
+    /// text is read, this edge becomes the last node. The result is therefore true only for the last node.
     bool is_predefined_host(std::size_t node) const {
         auto leads_there = [&](const LinkConnection& wire) { return wire.a.node == node || wire.b.node == node; };
         return n_.nodes[node].name == "host" && n_.nodes[node].kind->links == LinkRole::edge &&
@@ -175,7 +174,8 @@ private:
     void print_wires() {
         for (const auto& connection : n_.connections) {
             if (connection.over_bus || connection.at_run_time)
-                continue; // ways over buses follow from attachments, and connections that switches make from pieces
+                continue; // these connections need no statement: attachments give the ways over buses, and pieces of
+                          // wire give the connections that switches make
             std::vector<std::string> attributes;
             if (says_speed(connection))
                 attributes.push_back(fmt::format("linkspeed = {}", connection.bits_per_second));
@@ -210,8 +210,8 @@ private:
         line("connect {} to {}{};", end(piece.a), end(piece.b), piece.name.empty() ? "" : " by " + piece.name);
     }
 
-    /// Prints the crosspoints of the switches that programs set. Each is printed once, although several connections may
-    /// cross it.
+    /// Prints the crosspoints of the switches that programs set. Each crosspoint is printed once, although several
+    /// connections may use it.
     void print_crosspoints_to_choose() {
         std::set<std::pair<std::string, std::string>> known;
         for (const auto& connection : n_.connections)
@@ -263,7 +263,7 @@ private:
         print_settings(range, common, high);
     }
 
-    /// Returns the interface in the order of the netlist, since a program may fetch its parameters by position.
+    /// Returns the interface in the order of the netlist, since a C program may fetch its parameters by position.
     std::string print_interface(const ElementRange& range) const {
         const auto& interface = n_.processes[range.first].interface;
         std::vector<std::string> entries;
@@ -287,8 +287,8 @@ private:
         return entries;
     }
 
-    /// Returns the names of the parameters that the netlist gives, in the netlist's order. Parameters with default
-    /// values are left out, since a kind may distinguish between a default and an equal value that is given. With
+    /// Returns the names of the parameters that the netlist gives, in its order. Parameters that the netlist does not
+    /// give are left out, since a kind may treat a given value differently from an equal default. With
     /// ParameterOrder::by_name, returns all parameters.
     std::vector<std::string> parameters_in_order(const ProcessInstance& process) const {
         std::vector<std::string> names;
@@ -312,8 +312,7 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// Prints first, once, the settings that all elements of an array share, and then the other settings of each
-    /// element.
+    /// Prints the settings that all elements of an array share once, and then the other settings of each element.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);
@@ -345,7 +344,8 @@ private:
             elements[subscripts_of(entry->first)] = print_constant(entry->second);
         }
         std::string result;
-        std::size_t line_begin = 0; // offset of the present line; lines that are too long could not be read again
+        std::size_t line_begin =
+            0; // offset of the present line, which is broken before it becomes too long to be read again
         std::vector<std::int64_t> last;
         for (const auto& [subscripts, text] : elements) {
             std::size_t same = 0;
@@ -390,7 +390,7 @@ private:
 
     void print_channel(const NetworkChannel& channel) {
         if (end(channel.from).empty() || end(channel.to).empty())
-            return; // the netlist has no edge channel here: the placement of the other end makes the channel
+            return; // no statement is needed: the placement of the other end makes the channel
         line("connect {} to {}{};", end(channel.from), end(channel.to), is_named(channel) ? " by " + channel.name : "");
     }
 
@@ -433,16 +433,16 @@ private:
         return name;
     }
 
-    /// Returns the link end that a `place` statement names for a hop: the adapter's link if the hop leads from a master
-    /// over a link adapter, otherwise the beginning of the hop. A master may use several adapters.
+    /// Returns the link that a `place` statement names for a hop. It is the link at which the hop begins. If the hop
+    /// leads from a master over a link adapter, it is the link of the adapter, since a master may use several adapters.
     LinkEnd stated_end(const RouteHop& hop) const {
         const auto& way = n_.connections[hop.connection].over_bus;
         bool by_adapter = way && way->wire != nowhere && hop.from_a_to_b;
         return by_adapter ? LinkEnd{n_.attachments[way->slave].node, 0} : begin_of(hop, n_.connections);
     }
 
-    /// Prints the way of a channel over a bus. The link behind the adapter identifies the way; a way to a bus master's
-    /// memory is printed only if another way joins the same nodes.
+    /// Prints the way of a channel over a bus. The link of a link adapter identifies the way over it. A way to the
+    /// memory of a bus master is printed only if another way joins the same nodes.
     void print_way(const NetworkChannel& channel) {
         const auto& way = n_.connections[channel.placement.route.front().connection];
         if (way.b.link != bus_port)
@@ -463,8 +463,8 @@ private:
     Routes routes_ = Routes::written;
     std::string text_;
     std::size_t counted_ = 0;               ///< bytes of the routes, if they are only counted
-    std::vector<std::string> stated_names_; ///< for each connection: the name that states the hop from b to a, then the
-                                            ///< hop from a to b; "" until used
+    std::vector<std::string> stated_names_; ///< two names for each connection: of the hop from b to a, then of the hop
+                                            ///< from a to b; "" until used
 };
 
 } // namespace

@@ -6,7 +6,7 @@ namespace placedpar {
 
 namespace {
 
-/// Renumbers connections for the drawing: wires first, then pieces of wire, then ways over buses.
+/// Renumbers connections for the drawing: first wires, then wires that end at switches (pieces), then ways over buses.
 class Renumbering {
 public:
     explicit Renumbering(const Network& network) : n_(network), place_(network.connections.size(), nowhere) {
@@ -74,7 +74,8 @@ private:
     }
 
     const Network& n_;
-    std::vector<std::size_t> place_; ///< new index of each connection; nowhere for connections that switches make
+    std::vector<std::size_t>
+        place_; ///< new index of each connection; nowhere for connections that switches make during the run
     std::vector<LinkConnection> connections_;
     std::size_t first_piece_ = 0;
 };

@@ -4,9 +4,9 @@
 
 namespace placedpar {
 
-/// Returns the network as it is drawn: the connections that switches can make during the run are replaced by the pieces
-/// of wire that lead to these switches. The route of a channel over such a connection then
-/// consists of these pieces.
+/// Returns the network as it is drawn. The connections that switches can make during the run are removed. In their
+/// place are the wires that lead to these switches. The route of a channel over such a connection then consists of the
+/// wires from both ends to the switches.
 Network with_pieces_as_wires(Network network);
 
 } // namespace placedpar

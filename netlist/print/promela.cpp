@@ -75,7 +75,7 @@ std::string legend(const Network& network) {
     return out + fmt::format("/* c[{}]: no message ever passes; used for closed guards */\n", network.channels.size());
 }
 
-/// Refuses processors that execute their own code, which has no model.
+/// Refuses processors that execute machine code, for which there is no model.
 void refuse_code(const Network& network) {
     for (const Node& node : network.nodes)
         if (node.runs_own_code)

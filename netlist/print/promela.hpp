@@ -7,11 +7,12 @@
 
 namespace placedpar {
 
-/// Prints the network as a model for Spin: a proctype for each process, a rendezvous channel for each channel. The
-/// model has neither time nor placement: an event that Spin proves impossible cannot happen on any machine, and an
-/// event that Spin finds possible may happen on some machine. Spin reports a process that never reaches its end
-/// as an invalid end state; PlacedPar reports it as waiting. Throws UserError if the kind of a process has no Promela
-/// statements, or if there are more processes than Spin allows.
+/// Prints the network in Promela, the language of the model checker Spin, so that a user can prove that it has no
+/// deadlock. The model has a proctype for each process and a rendezvous channel for each channel. It has neither time
+/// nor placement: what Spin proves impossible cannot happen on any machine, and what Spin finds possible may happen on
+/// some machine. A process that never reaches its end is an invalid end state in Spin; PlacedPar reports this process
+/// as waiting. Throws UserError if the kind of a process has no Promela statements, or if there are more processes than
+/// Spin allows.
 std::string print_promela(const Network& network, const Catalogue& catalogue);
 
 } // namespace placedpar

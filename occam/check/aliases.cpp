@@ -25,8 +25,8 @@ bool is_part_of(const Declaration& abbreviation, const Declaration* other) {
 
 } // namespace
 
-/// Returns whether an access uses the name of this abbreviation, or of an abbreviation that was declared later. A later
-/// abbreviation was compared with this one at its declaration.
+/// Returns whether an access uses the name of this abbreviation, or of a later abbreviation. A later abbreviation was
+/// compared with this abbreviation when it was declared.
 bool UsageCheck::is_named_by(const Access& access, const Declaration& abbreviation) const {
     if (access.root == access.base)
         return false;
@@ -42,7 +42,7 @@ void UsageCheck::check_active(const Access& access) {
         if (active.access.base != access.base || is_harmless || is_named_by(access, *active.declaration))
             continue;
         const Overlap overlap = overlap_of(active.access, access, replicators_);
-        // Two abbreviations are refused only if they are known to name the same element.
+        // Two abbreviations are refused only if they certainly name the same element.
         const bool is_other = access.root != access.base && !is_part_of(*active.declaration, access.root);
         if (overlap == Overlap::none || (overlap == Overlap::possible && (access.is_abbreviation || is_other)))
             continue;
@@ -95,7 +95,7 @@ void UsageCheck::check_block(const Expression& target, const Expression& value) 
                         "copy the source to another array first");
 }
 
-/// Compares the accesses of the arguments of a call, or of the targets of an assignment, with each other.
+/// Refuses overlapping arguments of a call, or overlapping targets of an assignment.
 void UsageCheck::check_parts(const std::vector<Part>& parts, bool only_certain, const std::string& what) {
     const auto meet = [&](const Access& a, const Access& b) {
         const Overlap overlap = a.base == b.base ? overlap_of(a, b, replicators_) : Overlap::none;

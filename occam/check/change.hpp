@@ -6,8 +6,8 @@
 
 namespace placedpar::occam {
 
-/// Called for each declaration at the outermost level of a program after its check, before later text uses it. May
-/// change the value of a VAL.
+/// A function that may change the value of a VAL, so that options can change a program. It is called for each
+/// declaration at the outermost level of the program, after the check of the declaration and before later text uses it.
 using ChangeDeclaration = std::function<void(Program&, Declaration&)>;
 
 } // namespace placedpar::occam

@@ -20,29 +20,31 @@ namespace placedpar::occam {
 /// Returns the declaration of `a` for a path such as `a[i]` or `[a FROM i FOR n]`; null if the path does not begin with
 /// a name.
 const Declaration* root_of(const Expression&);
-/// Returns the declaration to which an abbreviation or RETYPES without VAL gives another name; null for any other
-/// declaration.
+/// Returns the declaration to which an abbreviation or RETYPES gives another name: that of `a` for `x IS a[i]:`.
+/// Returns null for an abbreviation or RETYPES with VAL, and for any other declaration.
 const Declaration* named_by(const Declaration&);
-/// Follows named_by() until it is null, and returns the last declaration: for an abbreviation of an abbreviation, for
-/// example, the variable.
+/// Returns the variable or channel itself for an abbreviation of it, also through several abbreviations. Returns any
+/// other declaration unchanged.
 const Declaration* base_of(const Declaration*);
-/// Returns whether a variable can hold a value of this type. Channels, timers and ports are not values.
+/// Returns whether variables can have this type. They cannot be channels, timers or ports.
 bool is_data(const Type&);
-/// Returns the type of the elements of an array with any number of dimensions. Returns any other type unchanged.
+/// Returns the type of the elements of an array after all its subscripts, INT for `[4][8]INT`. Returns any other type
+/// unchanged.
 const Type& innermost(const Type&);
-/// Returns whether a value of type `given` can be used where type `wanted` is required. A size that is unknown at
-/// compile time fits every size; the program compares the sizes at run time.
+/// Returns whether a value of type `given` can be used where type `wanted` is required. An array size that is unknown
+/// at compile time fits every size, since the compiled code then compares the sizes.
 bool fits(const Type& wanted, const Type& given);
 
-/// Returns whether all operands of an expression are integer literals without a type.
+/// Returns whether all operands of an expression are integer literals without a type, so that the expression can take
+/// any integer type.
 bool is_untyped(const Expression&);
 
-/// Holds the declarations that are visible at the present place, by name.
+/// Holds the declarations that are visible at the place in the program that is being checked.
 class Names {
 public:
     void add(Declaration&);
     Declaration* find(const std::string& name) const;
-    /// Returns a mark for `leave`, which hides all names that were added after the mark.
+    /// Returns a mark for the end of a scope: leave() hides all names that were added after the mark.
     std::size_t mark() const { return order_.size(); }
     void leave(std::size_t mark);
     std::vector<std::string> all() const;
@@ -52,17 +54,17 @@ private:
     std::unordered_map<std::string, std::vector<Declaration*>> by_name_;
 };
 
-/// Describes a PROC, FUNCTION or VALOF around the present place, and its effects outside of itself.
+/// Describes a PROC, FUNCTION or VALOF that is being checked, and its effects on the outside.
 struct Routine {
     const Declaration* declaration = nullptr; ///< null for a VALOF in an expression
     bool is_function = false;
-    std::string communicates = {};                 ///< its first communication, such as "an output"; "" if it has none
-    std::vector<const Declaration*> assigned = {}; ///< variables outside of the routine to which it assigns
+    std::string communicates = {}; ///< first communication in it, such as "an output", for messages; "" if it has none
+    std::vector<const Declaration*> assigned = {}; ///< variables declared outside that it changes
     bool has_priority_par = false;
     bool is_inside_priority_par = false; ///< the routine is declared inside a PRI PAR
 };
 
-/// Holds the properties of a parameter that a call depends on.
+/// Describes a parameter of a called routine.
 struct Formal {
     const Type* type = nullptr;
     Parameter::Passing passing = Parameter::Passing::value;
@@ -70,18 +72,18 @@ struct Formal {
     const Declaration* declaration = nullptr; ///< null for a predefined routine
 };
 
-/// Finds the meaning of names, the types and the constants of a program. Each declaration and process is visited once,
-/// in the order of the text. A method that finds an error reports it, and returns the type `mistaken`.
+/// Finds the meaning of names, the types and the constants of an occam program. Visits each declaration and process
+/// once, in the order of the text. A function that finds an error reports it, and returns the type `mistaken`
+/// (occam/language/type.hpp), which causes no further errors.
 class Checker {
 public:
-    /// `change` is as for check().
+    /// `change` is called for each declaration at the outermost level: see occam/check/change.hpp.
     Checker(Program& program, Reporter& reporter, ChangeDeclaration change = {})
         : program_(program), reporter_(reporter), types_(program.types), change_(std::move(change)) {}
     void check_program();
 
-    // The public functions below serve the Configurer (occam/configuration), which visits the declarations and
-    // processes of a configuration itself. It visits a replicated process once for each value of the index, and sets
-    // the index to this constant before each visit.
+    // The public functions below are for the Configurer (occam/configuration). It visits the declarations and processes
+    // of a configuration itself: a replicated process once for each value of the index, which is then a constant.
 
     void check_units();
     /// Checks a declaration, and makes it visible.
@@ -101,12 +103,13 @@ private:
     using DeclarationList = std::vector<DeclarationBox>;
 
     // Names (names.cpp)
-    /// Returns whether this is the first mistake of this kind in the use of a declaration. Later mistakes of the same
-    /// kind are not reported, since they probably have the same cause.
+    /// Returns whether this is the first mistake of this kind in the use of a declaration. The caller does not report
+    /// later mistakes of the kind, since they probably have the same cause.
     bool is_first(const Declaration*, std::string mistake);
     void note(const Place&, const Declaration& meaning);
     void report_unknown(const std::string& name, const Place&);
-    /// Checks the declarations in order, and makes them visible. The caller must hide them with names_.leave.
+    /// Checks the declarations in order, and makes them visible. REQUIRES: the caller hides them later, with
+    /// names_.leave.
     void declare(DeclarationList&);
     Declaration* predefined(const std::string& name);
     // unused.cpp
@@ -189,7 +192,8 @@ private:
     void enter_routine(Routine);
     void leave_routine(std::size_t mark);
     void value_process(ValueProcess&);
-    /// Checks the right side of an assignment, and returns the types of its values. One call may give several values.
+    /// Checks the right side of an assignment, and returns the types of its values. A call of a function may have
+    /// several values.
     std::vector<const Type*> types_of_values(std::vector<Expression>&);
     std::vector<const Type*> types_of_results(std::vector<Expression>&);
     bool has_values(const Place&, const std::string& role, std::vector<Expression>& values,
@@ -228,7 +232,8 @@ private:
     void check_priority(const Process&, const Parallel&);
 
     // Communication (communication.cpp)
-    /// Notes that a process communicates. A function must not contain such a process.
+    /// Records that a process communicates, which is forbidden in a function. `what` names the communication in
+    /// messages.
     void communicates(const Place&, const std::string& what);
     const Type* channel(Expression&, const char* action);
     void use_channel(const Expression&, Direction);
@@ -252,17 +257,18 @@ private:
     ChangeDeclaration change_;
     Names names_;
     std::vector<Routine> routines_;
-    std::unordered_map<const Declaration*, std::size_t> depths_; ///< number of routines around a declaration
-    std::unordered_map<const Declaration*, Routine> effects_;    ///< effects of the checked procedures
-    std::unordered_map<const Declaration*, Place> directed_at_;  ///< the first use of a channel parameter
+    std::unordered_map<const Declaration*, std::size_t>
+        depths_; ///< for each declaration: number of routines that contain it
+    std::unordered_map<const Declaration*, Routine> effects_;   ///< effects of the checked procedures
+    std::unordered_map<const Declaration*, Place> directed_at_; ///< place of the first use of each channel parameter
     std::unordered_map<const TypeText*, const Type*>
-        resolved_; ///< key: a type's text, which several declarations may share
+        resolved_; ///< type for each type in the text; several declarations may share a type's text
     std::unordered_map<std::string, Declaration*> predefined_;
-    std::unordered_set<std::string> reported_; ///< unknown names that have been reported
-    std::set<std::pair<const Declaration*, std::string>>
-        mistakes_; ///< declarations and mistakes for which is_first() was called
+    std::unordered_set<std::string> reported_;                      ///< unknown names that have been reported
+    std::set<std::pair<const Declaration*, std::string>> mistakes_; ///< arguments of the calls of is_first() so far
     std::set<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>>
-        noted_; ///< places of a configuration that are in Program::resolved: file, line and column
+        noted_; ///< file, line and column of the names of a configuration that are in Program::resolved; a replicated
+                ///< process has the same names in each visit
     std::vector<const Declaration*> declared_; ///< all checked declarations, in the order of the text
     std::unordered_set<const Declaration*> used_;
     std::vector<const ProtocolType*> named_protocols_;
@@ -270,8 +276,8 @@ private:
         const DeclarationList* list;
         std::size_t next;
     };
-    std::vector<Pending> pending_; ///< for each list of declarations around the present place: the list, and the index
-                                   ///< of its next declaration
+    std::vector<Pending>
+        pending_; ///< lists of declarations that contain the present place, each with the index of its next declaration
     bool several_allowed_ = false; ///< the next expression may be a call with several results
     bool inside_priority_par_ = false;
 };

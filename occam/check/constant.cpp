@@ -18,7 +18,7 @@ constexpr Folded not_finite = {0, "does not give a finite number"};
 
 unsigned width_of(Basic basic) { return 8 * bytes_of(basic); }
 
-/// Returns the value of the type whose bits are the lowest bits of `bits`.
+/// Returns the value of this type whose bits are the lowest bits of `bits`.
 std::int64_t wrapped(Basic basic, std::uint64_t bits) {
     switch (basic) {
     case Basic::byte: return static_cast<std::uint8_t>(bits);
@@ -37,8 +37,8 @@ std::uint64_t pattern(Basic basic, std::int64_t bits) {
     return static_cast<std::uint64_t>(bits) & (width == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << width) - 1);
 }
 
-/// Returns the result of an operation that was computed in 64 bits; an error if the computation overflowed, or if the
-/// type cannot hold the result.
+/// Returns the result of an operation that was computed in 64 bits. If this computation overflowed, or if the type
+/// cannot hold the result, returns an error.
 Folded fitting(Basic basic, std::int64_t value, bool overflowed) {
     return overflowed || wrapped(basic, static_cast<std::uint64_t>(value)) != value ? overflow : Folded{value};
 }

@@ -108,7 +108,7 @@ void Checker::declare(Declaration& declaration, Abbreviation& abbreviation) {
         declaration.direction = *abbreviation.written_output ? Direction::output : Direction::input;
 }
 
-/// Returns the type of a RETYPES. The size of an open dimension follows from the size of the value.
+/// Returns the type of a RETYPES. A dimension without a size gets its size from that of the value.
 const Type* Checker::retyped(Declaration& declaration, Retyping& retyping, const Type& from) {
     const Type* const to = retyping.type ? type_of(*retyping.type, Open::allowed) : mistaken();
     if (is_wrong_type(*to) || is_wrong_type(from))

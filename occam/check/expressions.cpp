@@ -11,7 +11,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Returns what a message says about a name without a value, such as "a protocol"; "" if the name has a value.
+/// Returns a text for messages about a name that has no value, such as "a protocol"; "" if the name has a value.
 std::string kind_of(const Declaration& declaration) {
     const auto& form = declaration.form;
     if (std::holds_alternative<Procedure>(form))
@@ -60,7 +60,7 @@ const Type* Checker::check(Expression& expression) {
             expression.form = Conversion{std::move(to), Conversion::Rounding::none, std::move(operand)};
         }
     }
-    expression.constant.reset(); // in a configuration, a replicator may have another value at each visit
+    expression.constant.reset(); // a configuration is checked again for each value of a replicator
     const bool several = std::exchange(several_allowed_, false);
     const bool gives_several =
         std::holds_alternative<Call>(expression.form) || std::holds_alternative<ValueProcess>(expression.form);
@@ -136,8 +136,8 @@ const Type* Checker::variable(Expression& expression, const std::string& action)
     return type;
 }
 
-/// Notes that the present routine changes a variable, unless the variable is declared inside of the routine. Reports an
-/// error if the routine is a function.
+/// Records that the present routine changes a variable that is declared outside of it. Reports an error if the routine
+/// is a function. Does nothing for a variable that is declared inside.
 void Checker::assigned(const Declaration* base, const Place& place, const std::string& through) {
     const auto depth = depths_.find(base);
     if (routines_.empty() || (depth != depths_.end() && depth->second >= routines_.size()))
@@ -233,7 +233,7 @@ const Type* Checker::form_of(Expression& expression, StringLiteral& literal) {
     return types_.array(basic(Basic::byte), static_cast<std::uint32_t>(literal.bytes.size()));
 }
 
-/// Returns the type of a table of channels; null if the table has no channels.
+/// Returns the type of a table of channels `[c, d]`; null if the table has no channels.
 const Type* Checker::channel_table(TableLiteral& table) {
     const Expression* first = table.elements.data();
     while (const auto* const subscript = first ? std::get_if<Subscript>(&first->form) : nullptr)

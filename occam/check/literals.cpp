@@ -43,7 +43,7 @@ bool is_untyped(const Expression& expression) {
     return table && !table->type && std::ranges::all_of(table->elements, is_untyped);
 }
 
-/// Gives literals without a type the type of the surrounding expression, as occam 2.1 does; in occam 2 such literals
+/// Gives literals without a type the type that is required at their place, as occam 2.1 does. In occam 2, such literals
 /// are always INT. Returns whether this was possible.
 bool Checker::adapt(Expression& expression, const Type& wanted) {
     const Type& type = innermost(wanted);

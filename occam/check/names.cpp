@@ -138,8 +138,8 @@ void Checker::add(Declaration& declaration) {
     note(declaration.at, declaration);
 }
 
-/// Notes the meaning of a name. A configuration visits a statement again at each repetition; the name is then noted
-/// only once.
+/// Records the meaning of a name. In a configuration, a replicated statement is visited several times; the name is then
+/// recorded only once.
 void Checker::note(const Place& place, const Declaration& meaning) {
     if (!program_.is_configuration || noted_.emplace(place.file, place.line, place.column).second)
         program_.resolved.push_back({place, &meaning});

@@ -11,7 +11,8 @@ namespace placedpar::occam {
 namespace {
 
 constexpr std::int64_t most_components = 65536; ///< largest number of components of a replicated PAR that are compared
-constexpr std::size_t most_outer_values = 256;  ///< largest number of values tried for the replicators around a PAR
+constexpr std::size_t most_outer_values =
+    256; ///< largest number of values that are tried for the replicators that contain a PAR
 constexpr std::size_t most_inner_values = 65536;
 
 bool is_conflict(AccessKind a, AccessKind b) {
@@ -48,11 +49,12 @@ void UsageCheck::report_parallel(const Access& first, const Access& second) {
     reporter_.error(program_.location(later.at), message, hint, std::move(others));
 }
 
-/// Reports the first two intervals of different components that overlap and conflict. Returns true if there are none.
+/// Reports the first two components that use the same elements of an array in a forbidden way. Returns true if there
+/// are none.
 bool UsageCheck::check_intervals(std::vector<Interval>& intervals) {
     const auto begins_earlier = [](const Interval& a, const Interval& b) { return a.region.first < b.region.first; };
     std::ranges::stable_sort(intervals, begins_earlier);
-    std::vector<const Interval*> reads, others; // intervals that may reach beyond the beginning of the next interval
+    std::vector<const Interval*> reads, others; // earlier intervals that may overlap with the next interval
     for (const Interval& each : intervals) {
         const auto is_over = [&](const Interval* open) { return open->region.end <= each.region.first; };
         const auto conflicts = [&](const Interval* open) {
@@ -75,8 +77,8 @@ bool UsageCheck::check_intervals(std::vector<Interval>& intervals) {
     return true;
 }
 
-/// Adds an interval for the elements that an access uses. Does this for each component of a replicated PAR, and for
-/// each value of the replicators inside of the component.
+/// Adds the interval of the elements that an access uses: one interval for each component of a replicated PAR, and for
+/// each value of the replicators in the component.
 void UsageCheck::intervals_of(const Parallel& parallel, std::int64_t component, const Access& access,
                               IndexValues& values, std::vector<Interval>& intervals) {
     std::vector<const Declaration*> indices, inner;
@@ -91,7 +93,8 @@ void UsageCheck::intervals_of(const Parallel& parallel, std::int64_t component, 
     const std::optional<std::int64_t> base = own ? value_of(parallel.replicator->base, values) : 0;
     const std::optional<std::int64_t> step =
         own && parallel.replicator->step ? value_of(*parallel.replicator->step, values) : 1;
-    // An access that does not depend on the index is the same in all components, so comparing two components suffices.
+    // If the access does not depend on the index, it is the same in all components, and comparing two components
+    // suffices.
     const std::int64_t different = is_replicated && base && step ? count : std::min<std::int64_t>(count, 2);
     for (std::int64_t i = 0; i < different; ++i) {
         if (own && base && step)

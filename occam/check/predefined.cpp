@@ -11,13 +11,13 @@ namespace {
 
 struct PredefinedTraits {
     std::string_view name;
-    std::string_view parameters, results; ///< a letter for each type, as in predefined_traits
-    bool is_double = false;               ///< the routine also exists for REAL64, with D in front of the name
+    std::string_view parameters, results; ///< a letter for each type; see predefined_traits
+    bool is_double = false;               ///< the routine also exists for REAL64; its name then begins with D
 };
 
-/// Lists the predefined routines of the language. A letter stands for the type of each parameter and result: i for INT,
-/// j for INT32, b for BOOL, r for REAL32 (for REAL64 if the name has D in front), d for REAL64, s for VAL [][]BYTE, and
-/// S for [][]BYTE passed by reference.
+/// Lists the predefined routines of the language. Each parameter and result has a letter for its type: i for INT, j for
+/// INT32, b for BOOL, r for REAL32, d for REAL64, s for VAL [][]BYTE, and S for [][]BYTE by reference. In the routine
+/// whose name begins with D, r means REAL64.
 constexpr std::array<PredefinedTraits, 51> predefined_traits = {{
     {"LONGADD", "iii", "i"},
     {"LONGSUM", "iii", "ii"},

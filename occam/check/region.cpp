@@ -10,9 +10,10 @@ namespace placedpar::occam {
 
 namespace {
 
-/// We assume that an array of unknown size has this number of elements.
+/// Assumed number of elements of an array of unknown size.
 constexpr std::int64_t assumed_elements = std::int64_t{1} << 20;
-constexpr std::int64_t most_elements = std::int64_t{1} << 40; ///< limit for sums and products of subscripts
+constexpr std::int64_t most_elements = std::int64_t{1}
+                                       << 40; ///< limit of sums and products of subscripts, far from overflow
 constexpr std::size_t most_comparisons = 65536;
 
 /// Returns the number of single values in a variable.
@@ -32,7 +33,7 @@ const Expression* value_behind(const NameUse& use) {
     return abbreviation && abbreviation->is_value ? &abbreviation->value : nullptr;
 }
 
-/// Collects the indices of replicators on which expressions depend, also through VAL abbreviations.
+/// Collects the indices of replicators on which expressions depend, directly or through VAL abbreviations.
 class IndexCollector {
 public:
     explicit IndexCollector(std::vector<const Declaration*>& indices) : indices_(indices) {}
@@ -69,8 +70,8 @@ private:
     std::unordered_set<const Declaration*> seen_;
 };
 
-/// Appends an index to `ordered`, after the indices on which its replicator depends, unless the index has a value or is
-/// already in `ordered`.
+/// Appends an index to `ordered`, after the indices on which the base, count and step of its replicator depend. An
+/// index that has a value, or is already in `ordered`, is left out.
 void add_in_order(const Declaration* index, const Replicators& replicators, const IndexValues& values,
                   std::vector<const Declaration*>& ordered) {
     if (values.contains(index) || std::ranges::find(ordered, index) != ordered.end())
@@ -150,8 +151,8 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Narrows a region to the part that a step selects. Returns the type of the part; null if the subscript or the count
-/// is not known.
+/// Narrows a region of a variable to the part that a step, such as a subscript, selects. Returns the type of the part;
+/// null if the subscript or count is unknown at compile time.
 const Type* narrow(Region& region, const Type& type, const PathStep& step, const IndexValues& values) {
     const Type& form = plain(type);
     if (step.field) {

@@ -37,8 +37,8 @@ std::string_view kind_of_name(const Declaration& declaration) {
 
 } // namespace
 
-/// Checks only the main file. Names outside of all procedures, and the parameters of these procedures, need not be
-/// used, since other files may use them.
+/// Warns of names in the main file that are not used. Names outside of all procedures, and the parameters of these
+/// procedures, are left out, since other files may use them.
 void Checker::warn_of_unused() {
     std::ranges::sort(declared_, {}, [](const Declaration* each) { return std::pair(each->at.line, each->at.column); });
     for (const Declaration* const each : declared_) {

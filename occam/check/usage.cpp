@@ -242,7 +242,7 @@ void UsageCheck::visit_values(const ValueProcess& process) {
 void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList& parameters,
                                const ValueProcess* function, const Process* body) {
     std::vector<Active> outer;
-    outer.swap(active_); // the abbreviations around a routine are compared with its accesses at each call
+    outer.swap(active_); // accesses of a routine are compared with the abbreviations outside of it at each call
     const std::size_t first = log_.size();
     const std::uint64_t since = clock_ + 1;
     declare(parameters);
@@ -254,9 +254,9 @@ void UsageCheck::visit_routine(const Declaration& routine, const DeclarationList
     log_.resize(first);
 }
 
-/// Returns the accesses that are in the log at position `first` or later, if their variables were declared before the
-/// time `since` (clock_). Equal accesses are returned once. If an access uses an abbreviation from inside the scope, it
-/// is returned with the name that is valid outside.
+/// Returns the accesses in the log from position `first` on whose variables were declared before the time `since`,
+/// counted by clock_. Each of several equal accesses is returned once. If an access uses an abbreviation that was
+/// declared later, the result has the abbreviated variable instead.
 std::vector<Access> UsageCheck::outside_accesses(std::size_t first, std::uint64_t since) const {
     std::vector<Access> accesses;
     std::set<std::tuple<const Declaration*, const Declaration*, AccessKind, std::vector<const void*>>> seen;

@@ -13,20 +13,21 @@
 
 namespace placedpar::occam {
 
-/// Checks two rules about variables and channels that have several names or are used by several processes. REQUIRES:
-/// the program's names and types were checked without errors.
+/// Checks two rules of occam, which keep processes from interfering with each other and make each variable have one
+/// name at a time. REQUIRES: the program's names and types were checked without errors.
 ///
-/// - Parallel usage. A component of a PAR must not use variables that another component changes. Only one component may
-///   output to a channel, and only one may input from it. Elements of arrays are distinguished if their subscripts
-///   depend only on constants and on replicators with constant base and count: each value of the replicators is tried,
-///   up to a limit.
-/// - Aliases. Within the scope of an abbreviation, only the abbreviation's name may be used for the variable. Variables
-///   in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap with
-///   another parameter, or with a variable that the PROC itself uses.
+/// Parallel usage: a component of a PAR must not use variables that another component changes. Only one component may
+/// output to a channel, and only one component may input from it. Elements of an array count as different variables if
+/// their subscripts depend only on constants and on replicators with constant base and count. For this, each value of
+/// the replicators is tried, up to a limit.
 ///
-/// The program is visited once. The visit keeps a log of accesses, in which the accesses of a component of a PAR follow
-/// one another. At each call, the accesses that the called routine makes to variables declared outside of it are added
-/// to the log.
+/// Aliases: within the scope of an abbreviation, only the abbreviation's name may be used for the variable. Variables
+/// in the expression of a VAL abbreviation must not be changed. A parameter by reference must not overlap with another
+/// parameter, or with a variable that the PROC itself uses.
+///
+/// The program is visited once. Each use of a variable or channel, an access, is appended to a log, in which the
+/// accesses of a component of a PAR follow one another. A call appends the called routine's accesses to variables that
+/// are declared outside of it.
 class UsageCheck {
 public:
     UsageCheck(const Program& program, bool usage, bool aliases, Reporter& reporter)
@@ -35,18 +36,18 @@ public:
 
 private:
     using DeclarationList = std::vector<DeclarationBox>;
-    /// Holds consecutive positions in the log: `first` and the positions after it, up to but without `end`.
+    /// Holds a range of positions in the log: from `first` up to, but without, `end`.
     struct Stretch {
         std::size_t first = 0, end = 0;
     };
-    /// Describes an abbreviation whose scope contains the place of the visit.
+    /// Describes an abbreviation whose scope contains the place that is being visited.
     struct Active {
         const Declaration* declaration = nullptr;
         Access access;
-        bool is_changeable = false; ///< true if the abbreviation is another name of the accessed variable; false if its
-                                    ///< value depends on the variable
+        bool is_changeable = false; ///< true: the abbreviation is another name of the accessed variable; false: it is a
+                                    ///< VAL whose value depends on the variable
     };
-    /// Holds the accesses of an argument, or of a target of an assignment.
+    /// Holds the accesses in an argument of a call, or in a target of an assignment.
     struct Part {
         std::optional<Access> changed;
         std::vector<Access> read;
@@ -123,7 +124,7 @@ private:
     bool usage_ = false, aliases_ = false;
     Reporter& reporter_;
     Replicators replicators_;
-    std::unordered_set<const Declaration*> open_indices_; ///< indices of the replicators around the present place
+    std::unordered_set<const Declaration*> open_indices_; ///< indices of the replicators that contain the present place
     std::vector<Access> log_;
     std::vector<Active> active_;
     std::uint64_t clock_ = 0; ///< number of declarations visited so far

@@ -40,7 +40,7 @@ void Generator::alternation(const Alternation& a) {
     clear_error();
 }
 
-/// Reserves a word for the index of each replicator. When a guard is chosen, the word keeps the value of the index.
+/// Reserves a word for the index of each replicator. The word keeps the value that the index has for the chosen guard.
 void Generator::reserve(const Alternation& a, Nest& nest) {
     if (a.replicator)
         nest.kept[a.replicator->index.get()] = temporary();
@@ -131,7 +131,7 @@ void Generator::disable(const Alternative& a, Nest& nest) {
     }
     nest.branches.push_back({&a, emitter_.new_label(), nest.chosen, nest.around});
     load_guard(a);
-    frame_->need_low(1); // word 0 holds the chosen branch until altend, so no variable of the alternation may be there
+    frame_->need_low(1); // word 0 holds the chosen branch until altend, so that no variable of the ALT may be there
     emitter_.difference(nest.branches.back().label, nest.after);
     op(std::holds_alternative<Delay>(a.guard) ? Operation::dist : guard_channel(a) ? Operation::disc : Operation::diss);
     stack_ = 1;

@@ -9,9 +9,9 @@ namespace placedpar::occam {
 
 namespace {
 
-/// The loader reads the code that follows it in the file, and jumps to the code. loader_source() writes the numbers
-/// `code`, `workspace` and `start` in front of the loader, in words from the lowest address. The workspace of the
-/// program may cover the loader, since the loader is no longer needed when the program runs.
+/// The source text of the loader, the first code in a bootable file. It reads the program's code, which follows it in
+/// the file, and jumps to this code. loader_source() adds the numbers `code`, `workspace` and `start`, in words from
+/// the lowest address. The workspace of the program may cover the loader, which is not needed when the program runs.
 constexpr const char* loader = R"(
         ajw 4                           -- instructions use words below the workspace
         stl 0; stl 0; stl 1             -- A and B are not needed; C is the address of the link
@@ -28,7 +28,8 @@ cleared:
         mint; ldnlp start; adc offset; gcall
 )";
 
-/// Returns the source of the loader. If `is_there`, the code is already in the memory, and the loader does not read it.
+/// Returns the source text of the loader. If `is_there`, the code is already in memory, and the loader only jumps to
+/// it.
 std::string loader_source(const Code& code, const CodeOptions& options, transputer::Word code_at,
                           transputer::Word workspace, bool is_there) {
     std::string source = fmt::format("code = {}\nlength = {}\nworkspace = {}\nstart = {}\noffset = {}\n", code_at / 4,
@@ -42,16 +43,16 @@ std::string loader_source(const Code& code, const CodeOptions& options, transput
     return source + text;
 }
 
-/// Lays out the workspace, which may cover the loader, and the code after it.
+/// Lays out the memory: first the workspace, which may cover the loader, then the code.
 transputer::Image laid_out(const Code& code, const CodeOptions& options, bool is_there) {
-    constexpr transputer::Word bytes_beside = 44; // for the words that the loader's instructions and variables use
+    constexpr transputer::Word bytes_beside = 44; // for words that the loader's instructions and variables use
     const transputer::Word start = transputer::traits_of(options.model).memory_start;
     const auto needed = static_cast<transputer::Word>(4 * code.workspace_words);
     const auto above = static_cast<transputer::Word>(4 * code.first_workspace_words);
     transputer::Image image;
     image.code = code.bytes;
-    // The loader contains the address of the code, but this address depends on the length of the loader. So assemble
-    // the loader again until its length no longer changes.
+    // The loader contains the address of the code, which depends on the length of the loader. The loader is therefore
+    // assembled again until its length no longer changes.
     for (std::size_t length = 1; image.start.size() != length;) {
         length = image.start.size();
         image.offset = start + std::max(needed, static_cast<transputer::Word>(length) + bytes_beside);

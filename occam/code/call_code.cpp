@@ -14,7 +14,7 @@ void Generator::declare_routine(const Declaration& d) {
     routines_[&d] = std::move(routine);
 }
 
-/// Returns the Routine of a procedure or function. When it is first asked for, its code is generated.
+/// Returns the Routine of a procedure or function. The first call generates its code.
 Generator::Routine& Generator::routine_of(const Declaration& d) {
     Routine& routine = *routines_.at(&d);
     if (!routine.level) {
@@ -121,8 +121,7 @@ std::vector<const Expression*> Generator::pointers_to(const std::vector<Expressi
     return pointers;
 }
 
-/// Calls a procedure or function. The words of `more` are passed after the arguments and before the addresses of the
-/// results.
+/// Calls a procedure or function. Passes the arguments, then the words of `more`, then the addresses of the results.
 void Generator::call(const Declaration& d, const std::vector<const Expression*>& arguments,
                      const std::vector<Storage>& results, Arguments more) {
     Routine& routine = routine_of(d);
@@ -155,7 +154,8 @@ void Generator::add_argument(Arguments& words, const Declaration& parameter, con
     }
 }
 
-/// Makes an array of pointers to the channels of a table such as [c, d], which are declared one by one.
+/// Makes an array of pointers to the channels of a table such as [c, d], so that the channels can be passed as an
+/// array.
 Storage Generator::channel_table(const TableLiteral& table, const Type& type) {
     Storage pointers =
         in_workspace(*array_of(*basic(Basic::integer), static_cast<std::uint32_t>(table.elements.size())));
@@ -182,7 +182,8 @@ void Generator::add_value(Arguments& words, const Expression& e) {
     }
 }
 
-/// Adds the address of a value. For each open dimension of the parameter, also adds the number of elements.
+/// Adds the address of a value as an argument. For each dimension whose size the parameter leaves open, also adds the
+/// number of elements.
 void Generator::add_pointer(Arguments& words, Storage location, const Type& parameter) {
     location = pointer_to(location);
     stack_ = 0;
@@ -198,7 +199,8 @@ void Generator::add_pointer(Arguments& words, Storage location, const Type& para
     }
 }
 
-/// Loads the hidden arguments and the other arguments, the first three into registers, and calls the routine.
+/// Loads all arguments, including hidden ones such as the address of the enclosing frame, and calls the routine. The
+/// first three words are in registers.
 void Generator::call_with(Routine& routine, Arguments words) {
     const Level& level = *routine.level;
     const std::int64_t vector_now = level_->vector_now;
@@ -215,8 +217,8 @@ void Generator::call_with(Routine& routine, Arguments words) {
     const int low = std::max(static_cast<int>(words.size()) - 3, 0);
     for (std::size_t i = 0; i < words.size(); ++i) {
         stack_ = 0;
-        // An argument that needs three registers may contain a call, which would overwrite arguments that are already
-        // in memory.
+        // If an argument needs three registers, it may contain a call. This call would overwrite arguments that are
+        // already in memory.
         if (words[i].depth <= (low > 0 ? std::min(static_cast<int>(i) + 1, 2) : static_cast<int>(i) + 1))
             continue;
         words[i].load();
@@ -242,7 +244,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(low); // again, since loading the words may have allocated temporaries
+        frame_->need_low(low); // called again, for temporaries that the loading of the words has allocated
     call_moved(routine.entry, moved, routine.errors);
     stack_ = 0;
     frame_->need_below(level.need() + moved);
@@ -251,12 +253,12 @@ void Generator::call_with(Routine& routine, Arguments words) {
 }
 
 /// Returns by how many words the workspace pointer is moved down for a call with `low` words of arguments in memory.
-/// Between alt and altend, the words below the workspace hold the state of the alternation. Without the move, the call
-/// would overwrite these words.
+/// Between the instructions alt and altend, the words below the workspace pointer hold the state of the ALT, which a
+/// call at the usual place would overwrite.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-/// Generates a call with the workspace moved down by `moved` words. `errors` tells what an error of the routine means,
-/// if errors are reported at the call; otherwise it is "".
+/// Generates a call with the workspace pointer moved down by `moved` words. `errors` tells what an error in a library
+/// routine means, since reports show the place of the call; "" for a routine of the program.
 void Generator::call_moved(Label entry, int moved, const std::string& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);

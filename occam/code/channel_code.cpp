@@ -6,7 +6,7 @@ namespace placedpar::occam {
 
 using transputer::Operation;
 
-/// Loads the address of a channel's word.
+/// Loads the address of the word in memory that is the channel.
 void Generator::channel(const Expression& e) {
     if (const auto* name = std::get_if<NameUse>(&e.form))
         return address(bindings_.at(name->meaning));
@@ -17,8 +17,8 @@ int Generator::depth_of_channel(const Expression& e) const {
     return std::holds_alternative<NameUse>(e.form) ? 1 : depth_of_location(e);
 }
 
-/// Loads the address of the data, the channel and the count of bytes, and communicates. `load_count` needs one
-/// register.
+/// Loads the address of the data, the channel and the number of bytes, and generates the instruction `in` or `out`.
+/// `load_count` needs one register.
 void Generator::transfer(Operation operation, const std::function<void()>& load_address, const Expression& on,
                          const std::function<void()>& load_count) {
     load_address();
@@ -40,7 +40,7 @@ void Generator::transfer(Operation operation, const std::function<void()>& load_
     clear_error();
 }
 
-/// Communicates a value. REQUIRES: no part of its address is on the register stack.
+/// Inputs or outputs a value. REQUIRES: no part of its address is on the register stack.
 void Generator::transfer(Operation operation, const Storage& location, const Expression& on) {
     const auto bytes = fixed_bytes(location);
     std::optional<Cell> size;
@@ -120,7 +120,7 @@ void Generator::input_counted(const Expression& on, const Item& item) {
     store_top(item.value);
 }
 
-/// Checks a count of elements of type INT64: its upper half must be 0.
+/// Generates a check of a number of elements of type INT64: its upper half must be 0.
 void Generator::check_upper_half(const Cell& lower) {
     if (!options_.range_checks)
         return;
@@ -178,7 +178,7 @@ void Generator::output_item(const Expression& on, const Expression& value) {
     transfer(Operation::out, location, on);
 }
 
-/// Loads the four bytes of a value of any type as a word.
+/// Loads a value of four bytes and of any type as a word.
 void Generator::load_bits(Storage location) {
     location.type = basic(Basic::int32);
     load(location);

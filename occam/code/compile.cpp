@@ -26,8 +26,8 @@ bool is_array_of_integers(const Type& type) {
 
 } // namespace
 
-/// Makes code for a declaration outside of all procedures. Ignores the channels of a configuration: they join programs,
-/// and belong to none of them.
+/// Makes code for a declaration outside of all procedures. Ignores the channels of a configuration, since they join
+/// programs and are not part of one.
 void Generator::declare_outermost(const Declaration& d) {
     const bool has_place = std::holds_alternative<Variable>(d.form) && innermost(*d.type).kind != Type::Kind::timer;
     if (has_place && !program_.is_configuration)
@@ -37,8 +37,8 @@ void Generator::declare_outermost(const Declaration& d) {
         declare(d);
 }
 
-/// Generates a program that calls the main procedure with the channels of link 0 and with the free memory after the
-/// vector space.
+/// Generates a program that calls the main procedure. Its channels to the host are those of link 0; its free memory is
+/// after the memory for arrays (vector space).
 Code Generator::generate(const Declaration& main) {
     declare_library();
     for (const std::unique_ptr<Unit>& unit : program_.units)
@@ -84,8 +84,8 @@ Code Generator::generate(const Declaration& main) {
     return code;
 }
 
-/// Returns the channels that the main procedure declares. `base` is its workspace pointer, in words from the first
-/// workspace pointer of the program.
+/// Returns the channels that the main procedure declares. `base` is the workspace pointer of this procedure, in words
+/// from the first workspace pointer of the program.
 std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, std::int64_t base) const {
     std::vector<CodeChannel> channels;
     const auto* const scope = std::get_if<Scope>(&std::get<Procedure>(main.form).body->form);
@@ -100,7 +100,8 @@ std::vector<CodeChannel> Generator::channels_of_main(const Declaration& main, st
     return channels;
 }
 
-/// Sends the host the request that ends a run with success, as so.exit does.
+/// Generates an output to the host: the request that ends a run with success, as so.exit of the library hostio sends
+/// it.
 void Generator::end_run() {
     constexpr std::array<std::uint8_t, 10> request = {8,    0,    35, 0xff, 0xc9,
                                                       0x9a, 0x3b, 0,  0,    0}; // result 999999999: success

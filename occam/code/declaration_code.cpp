@@ -40,7 +40,7 @@ void Generator::declare_variable(const Declaration& d, const Variable& variable)
     if (variable.initial) {
         assign_to(*variable.initial, location);
     } else if (location.is_scalar) {
-        constant(0); // an input or a procedure may later write only the lowest byte
+        constant(0); // clears the whole word, since an input or a procedure may later write only its lowest byte
         store(location.cell);
     }
 }
@@ -116,8 +116,8 @@ void Generator::make_channels(Storage pointers, std::int64_t count) {
     });
 }
 
-/// Returns the location with `type` in place of its own type. The two types have the same number of dimensions; extents
-/// that `type` leaves open are taken from the location.
+/// Returns the location with `type` in place of its own type. Sizes of dimensions that `type` leaves open are those of
+/// the location. REQUIRES: both types have the same number of dimensions.
 Storage Generator::seen_as(Storage location, const Type& type) {
     std::vector<Extent> extents;
     Storage rest = location;

@@ -162,7 +162,7 @@ void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& curr
     errors_.push_back({std::move(text), std::move(cells), &current});
 }
 
-/// Returns the text with the place of each cell inserted after its letter, in words from the workspace pointer:
+/// Returns the text in which each {w} or {l} also has the offset of its cell from the workspace pointer, in words:
 /// "{w+3}".
 std::string Emitter::ErrorMeaning::with_offsets() const {
     std::string result = text;

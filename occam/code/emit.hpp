@@ -13,25 +13,30 @@
 
 namespace placedpar::occam {
 
-/// Describes one element of code whose address is not known yet.
+/// Describes one element of code, such as an instruction or a label, before addresses and operands are known. Cell and
+/// Frame (occam/code/frame.hpp) describe words of a workspace before its layout is known.
 struct CodeElement {
     enum class Kind : std::uint8_t {
-        number,     ///< an instruction with the operand `value`
-        cell,       ///< operand: `value` plus the words from the workspace pointer of `frame` to `cell`
-        remote,     ///< operand: `value` plus the words from the start of the procedure's frame to `cell`
-        words,      ///< operand: `value` times the words of the frame
-        branch,     ///< operand: the distance to `to`
-        difference, ///< operand: bytes from `from` to `to`, plus `value`
-        mark,       ///< the place of the label `to`
-        align,      ///< padding up to the next whole word
+        number, ///< instruction with the operand `value`
+        cell, ///< instruction; its operand is `value` plus the number of words from the workspace pointer of `frame` to
+              ///< `cell`
+        remote,     ///< instruction; its operand is `value` plus the number of words from the workspace pointer of the
+                    ///< cell's procedure to `cell`
+        words,      ///< instruction; its operand is `value` times the number of words of the frame
+        branch,     ///< instruction; its operand is the distance in bytes to the label `to`
+        difference, ///< instruction; its operand is the number of bytes from label `from` to label `to`, plus `value`
+        mark,       ///< position of the label `to`; no instruction
+        align,      ///< padding to the next whole word
         data,       ///< `value` bytes
-        line,       ///< the code for a place in the source begins
-        error,      ///< the preceding instruction can fail, with the error number `value`
-        name        ///< the code with the name number `value` begins
+        line,       ///< note: the code for `place` in the source begins here
+        error, ///< note: the preceding instruction can set the error flag; number `value` in the list of errors says
+               ///< what this means
+        name   ///< note: the code with number `value` in the list of names begins here
     };
     Kind kind = Kind::number;
-    std::uint8_t least = 1;    ///< smallest number of bytes of the instruction
-    std::uint8_t function = 0; ///< a direct function; 15 (opr) for an operation, whose code is the operand
+    std::uint8_t least = 1; ///< least number of bytes of the instruction, which may need prefixes
+    std::uint8_t function =
+        0; ///< function code of a direct instruction; 15 (opr) for an operation, whose code is the operand
     std::int64_t value = 0;
     Cell cell = {};
     const Frame* frame = nullptr;
@@ -41,17 +46,17 @@ struct CodeElement {
 
 using CodeBuffer = std::vector<CodeElement>;
 
-/// This label is at the first word after code and constants.
+/// The label of the first word after code and constants.
 inline constexpr Label end_of_code = 0;
 
-/// Collects code in buffers, and converts it to bytes.
+/// Collects the code that Generator makes in buffers, and converts it to bytes when all of it is known.
 class Emitter {
 public:
     using Operation = transputer::Operation;
 
     Label new_label() { return labels_++; }
     CodeBuffer& buffer() { return *buffer_; }
-    /// Directs code to another buffer. Returns the previous buffer.
+    /// Makes later calls append to another buffer. Returns the previous buffer.
     CodeBuffer* redirect(CodeBuffer* buffer) { return std::exchange(buffer_, buffer); }
 
     void put(Operation, std::int64_t operand = 0);
@@ -66,14 +71,14 @@ public:
     void mark(Label);
     void line(const Place&);
     void name(std::string);
-    /// States the meaning of an error of the preceding instruction, in the form that transputer::print_error() reads.
-    /// In the text, {w} stands for the word in the next of these cells, and {l} for the INT64. REQUIRES: the cells
-    /// belong to the level of `current`.
+    /// States what it means if the preceding instruction sets the error flag. The text has the form that
+    /// transputer::print_error() reads. In it, {w} is replaced by the value of the next of these cells, and {l} by the
+    /// INT64 there. REQUIRES: the cells belong to the same procedure as `current`.
     void error(std::string text, std::vector<Cell> cells, const Frame& current);
-    /// Returns the label of constant bytes, which are stored after the code.
+    /// Stores constant bytes after the code, and returns their label.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
 
-    /// Returns the code of all buffers, in this order, and the constants.
+    /// Returns the code of all buffers, in this order, followed by the constants.
     Code finish(const std::vector<const CodeBuffer*>&, Label entry);
 
 private:
@@ -96,9 +101,9 @@ private:
     std::unordered_map<std::string, std::size_t> constant_of_; ///< for look-up only; never iterated
 };
 
-/// Returns whether an instruction may set the flag Error, depending on computed values.
+/// Returns whether an instruction can set the error flag, depending on its operands.
 bool may_set_error(transputer::Operation);
-/// Returns how many words an instruction adds to the register stack; the number is negative if it removes words.
+/// Returns how many words an instruction adds to the register stack; negative if the instruction removes words.
 int stack_effect(transputer::Operation);
 
 } // namespace placedpar::occam

@@ -62,8 +62,8 @@ int Generator::depth_of_binary(const BinaryOperation& operation) const {
     return std::max(both, size_of(type) == 4 ? 2 : 3);
 }
 
-/// Loads two words, with the right word on top. `more` is the number of further registers that are needed while the
-/// right word is loaded.
+/// Loads the values of two expressions, with that of `right` on top of the register stack. `more` is the number of
+/// further registers in use while `right` is loaded.
 void Generator::operands(const Expression& left, const Expression& right, bool commutes, int more) {
     const int left_depth = depth_of(left), right_depth = std::max(depth_of(right), 1 + more);
     const bool left_first = left_depth <= registers() && right_depth + 1 <= registers();
@@ -115,7 +115,7 @@ void Generator::binary(const BinaryOperation& operation) {
     fit(type, !wraps);
 }
 
-/// If the operation adds or subtracts a constant, generates an adc and returns true.
+/// If the operation adds or subtracts a constant, generates the instruction adc and returns true.
 bool Generator::arithmetic_with_constant(const BinaryOperation& operation) {
     const auto left = constant_of(*operation.left), right = constant_of(*operation.right);
     const bool adds = operation.operation == Operator::add, subtracts = operation.operation == Operator::subtract;
@@ -147,8 +147,8 @@ void Generator::arithmetic(Operator operation) {
     }
 }
 
-/// Makes a result fit a type that is shorter than a word: if `checked`, generates a check; otherwise clears the higher
-/// bits.
+/// Makes a result fit a type that is shorter than a word. If `checked`, generates a check of the range; otherwise
+/// clears the higher bits.
 void Generator::fit(const Type& given, bool checked) {
     const Type& type = plain(given);
     if (type.is(Basic::int16)) {
@@ -335,7 +335,7 @@ void Generator::condition(const Expression& e, Label if_false) {
 
 void Generator::push(const std::vector<const Expression*>& values) {
     std::vector<std::optional<Cell>> saved(values.size());
-    bool earlier = false; // true if a later value has been evaluated already
+    bool earlier = false; // whether a later value has already been evaluated
     for (std::size_t i = values.size(); i-- > 0;) {
         const int depth = depth_of(*values[i]);
         if (depth + static_cast<int>(i) > registers() || (earlier && depth > 1)) {

@@ -8,23 +8,26 @@
 
 namespace placedpar::occam {
 
-/// The workspace of a procedure is laid out after all code of the procedure has been made. The words with the most uses
-/// come first. The components of a PAR are below the process that starts them. Until the layout is known, code refers
-/// to a word by its Cell.
+/// These structures lay out the workspaces of processes. The workspace of a procedure is laid out after all its code
+/// has been made, so that the words with the most uses get the lowest offsets, which need the shortest instructions.
+/// The workspaces of the components of a PAR are below that of the process that starts them. Until the layout is known,
+/// code refers to a word by a Cell.
 
 using Label = std::uint32_t;
 struct Level;
 struct Frame;
 
-/// Identifies a word of a workspace before the layout is known.
+/// Identifies a word of a workspace.
 struct Cell {
     enum class Area : std::uint8_t {
-        local,     ///< a variable or temporary of the frame
-        low,       ///< one of the lowest words, which instructions and calls use
+        local, ///< a variable or temporary of the frame
+        low,   ///< one of the lowest words of the frame, which hold operands of some instructions and further arguments
+               ///< of calls
         parameter, ///< a parameter of the frame's procedure
-        link,   ///< the hidden parameter with the address of the enclosing procedure's frame, after the return address
-        vector, ///< the hidden parameter with the address of free vector space
-        base    ///< the word to which the frame's workspace pointer points
+        link,      ///< a hidden parameter, directly after the return address: the address of the frame of the enclosing
+                   ///< procedure
+        vector,    ///< a hidden parameter: the address of free vector space, the memory for arrays
+        base       ///< the word to which the frame's workspace pointer points
     };
     Frame* frame = nullptr;
     Area area = Area::base;
@@ -33,17 +36,17 @@ struct Cell {
     Cell after(int words) const { return {frame, area, index + words}; }
 };
 
-/// Describes the workspace of a procedure, or of a component of a PAR.
+/// Describes the workspace of a procedure, or of a component of a PAR: its frame.
 struct Frame {
     explicit Frame(Level& l) : level(&l) {}
 
-    /// Reserves consecutive local words, until `top` is set back.
+    /// Reserves consecutive local words. The caller frees them by setting `top` to its earlier value.
     Cell allocate(int words);
     void use(const Cell& cell, double weight);
-    /// States that the process needs this number of words below its frame.
+    /// Tells that the process needs this number of words below its frame.
     void need_below(std::int64_t words) { below = below < words ? words : below; }
-    /// States that an instruction uses this number of the frame's lowest words. No local word that is allocated now
-    /// will be placed there.
+    /// Tells that an instruction uses this number of the frame's lowest words. Local words that are reserved at present
+    /// are then placed above them.
     void need_low(int words);
     /// Returns the number of words of the frame. REQUIRES: the frame is laid out.
     std::int64_t words() const { return size; }
@@ -51,51 +54,51 @@ struct Frame {
 
     Level* level;
     int top = 0;
-    int low = 0;            ///< number of lowest words that instructions use
-    std::int64_t below = 0; ///< number of words needed below the lowest word of the frame
-    std::int64_t coordinate =
-        0; ///< position of the frame's workspace pointer, in words from the procedure's workspace pointer
-    std::vector<double> uses;   ///< number of uses of each local word
-    std::vector<bool> joined;   ///< for each local word, true if it must directly follow the local word before it
-    std::vector<int> above_low; ///< for each local word, the number of lowest words in which it must not be placed
-    std::vector<int> position;  ///< position of each local word
-    std::int64_t size = 0;      ///< number of words of the frame
+    int low = 0;                 ///< number of lowest words that instructions use
+    std::int64_t below = 0;      ///< number of words needed below the lowest word of the frame
+    std::int64_t coordinate = 0; ///< position of the frame's workspace pointer, in words from the workspace pointer of
+                                 ///< the procedure that contains it
+    std::vector<double> uses;    ///< estimated number of uses of each local word
+    std::vector<bool> joined;    ///< for each local word: whether it must directly follow the previous local word
+    std::vector<int> above_low;  ///< for each local word: number of lowest words that it must not occupy
+    std::vector<int> position;   ///< position of each local word
+    std::int64_t size = 0;       ///< number of words of the frame
     std::vector<std::vector<Frame*>> parallels; ///< the components of each PAR
-    /// Describes a replicated PAR. Its components have workspaces of equal size below the frame; the first component's
-    /// workspace is at the top.
+    /// Describes a replicated PAR. The workspaces of its components have equal size and are below the frame, that of
+    /// the first component at the top.
     struct Replication {
         const Level* level;
         std::int64_t components;
-        std::optional<std::int64_t> base; ///< base of the replicator; nothing if it is not constant
+        std::optional<std::int64_t> base; ///< base of the replicator; nothing if the base is not constant
     };
     std::vector<Replication> replications;
-    std::vector<const Level*> calls; ///< called procedures that start processes, each listed once
-    std::string name;         ///< name of a component of a PAR: the PROC of which it is an instance, or its place
-    std::string place;        ///< line and column of a component, such as "12:3"
-    std::string entry;        ///< name of the code of a component of a PAR
+    std::vector<const Level*> calls; ///< procedures that are called and start processes, each listed once
+    std::string name;  ///< for a component of a PAR: the PROC of which it is an instance, or its place in the source
+    std::string place; ///< for a component of a PAR: line and column, such as "12:3"
+    std::string entry; ///< for a component of a PAR: name of its code
     bool is_instance = false; ///< the component is an instance of a PROC
     bool is_parallel = false; ///< the component is a PAR itself
 
-    /// Returns how many constructs of the frame start processes.
+    /// Returns how many PARs and calls of the frame start processes.
     std::size_t starters() const { return parallels.size() + replications.size() + calls.size(); }
 };
 
-/// The scheduler uses this number of words below the workspace pointer of a process.
+/// Number of words below the workspace pointer of a process that the scheduler uses.
 inline constexpr int words_of_scheduler = 3;
-/// The instruction `call` takes this number of words below the workspace pointer.
+/// Number of words below the workspace pointer that the instruction `call` takes.
 inline constexpr int words_of_call = 4;
-/// An alternation uses this number of words below the workspace pointer: for its state, for its time, and as links of
-/// the queues of the scheduler and of the timer.
+/// Number of words below the workspace pointer that an ALT uses: for its state, its time, and links in the queues of
+/// the scheduler and the timer.
 inline constexpr int words_of_alternation = 5;
 
-/// Describes a procedure, or a component of a replicated PAR, whose frame has an address that is known only at run
-/// time.
+/// Describes the code of a procedure, or of a component of a replicated PAR. The address of its frame is known only at
+/// run time. The frames of the components of its other PARs are at fixed distances from this frame.
 struct Level {
     explicit Level(Level* o) : outer(o), main(*this) {
         link = {&main, Cell::Area::link, 0};
         vector = {&main, Cell::Area::vector, 0};
     }
-    /// Lays out all frames. REQUIRES: the code of the level is complete.
+    /// Lays out all frames of the level. REQUIRES: its code is complete.
     void lay_out();
     /// Returns the number of words that a call needs below the caller's workspace pointer.
     std::int64_t need() const { return words_of_call + main.words() + main.below; }
@@ -103,16 +106,16 @@ struct Level {
     Level* outer;
     Frame main;
     std::deque<Frame> components;
-    Cell link, vector, table; ///< cells with the addresses of the enclosing frame, of vector space, and of the table of
-                              ///< large constants
+    Cell link, vector, table; ///< words with the addresses of the frame of the enclosing level, of free vector space,
+                              ///< and of the table of large constants
     bool uses_link = false, uses_vector = false, uses_table = false;
     int parameters = 0;                           ///< number of words of the parameters
-    std::int64_t vector_now = 0, vector_most = 0; ///< bytes of vector space
+    std::int64_t vector_now = 0, vector_most = 0; ///< vector space in use at present, and its maximum, in bytes
     Label entry = 0, table_label = 0;
     std::vector<std::uint32_t> constants;
 };
 
-/// Returns the offset of a word from the workspace pointer of its procedure, in words.
+/// Returns the offset of a cell from the workspace pointer of its level, in words. REQUIRES: the level is laid out.
 std::int64_t coordinate_of(const Cell&);
 
 } // namespace placedpar::occam

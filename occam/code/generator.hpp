@@ -14,20 +14,20 @@
 
 namespace placedpar::occam {
 
-/// Holds the number of elements of a dimension: a constant, or the word that holds the number at run time.
+/// Holds the number of elements of a dimension of an array: a constant, or the word of the workspace that has the
+/// number at run time.
 struct Extent {
     std::optional<std::int64_t> constant = {};
     Cell cell = {};
 };
 
-/// Describes where a value is. If `has_index`, the code so far has left an index on the register stack, in units of the
-/// type's size. If the base is `computed`, the code has left an address on the register stack.
+/// Describes where a value is at run time.
 struct Storage {
     enum class Base : std::uint8_t {
-        cell,     ///< the value is in the workspace, in `cell`
+        cell,     ///< the value is in the workspace, at `cell`
         pointer,  ///< the value's address is in `cell`
-        absolute, ///< the value is `offset` bytes above the lowest address
-        constant, ///< the value is among the constants after the code, at `label`
+        absolute, ///< the value is `offset` bytes above the start of memory
+        constant, ///< the value is a constant after the code, at `label`
         computed
     };
     Base base = Base::cell;
@@ -35,23 +35,24 @@ struct Storage {
     Label label = 0;
     std::int64_t offset = 0; ///< bytes
     const Type* type = nullptr;
-    std::vector<Extent> extents = {}; ///< sizes of the type's open dimensions
+    std::vector<Extent> extents = {}; ///< sizes of the dimensions whose size the type leaves open
     bool has_index = false;
-    bool is_scalar = false; ///< the type is shorter than a word, but the value occupies a whole word of the workspace
+    bool is_scalar = false; ///< a value shorter than a word that occupies a whole word of the workspace
 
     bool is_static() const { return !has_index && base != Base::computed; }
 };
 
-/// Holds the least and the greatest value of an index with constant base and count.
+/// Holds the least and the greatest value of the index of a replicator with constant base and count.
 struct Range {
     std::int64_t least, most;
 };
 
-/// Generates the code of a program. There is a function for each structure of the tree; expressions, processes and
-/// declarations, for example, have source files of their own.
+/// Generates the machine code of a checked program. Each structure of the tree (occam/language/tree.hpp) has a
+/// function. The functions are in several source files, which comments name below.
 ///
-/// A statement begins with an empty register stack. An expression may be evaluated with values on the stack if
-/// depth_of() says that the free registers suffice; otherwise the caller first saves these values.
+/// A statement begins with an empty register stack, which has three registers. If values are on the stack and
+/// depth_of() says that an expression needs more registers than are free, the caller first saves the values in the
+/// workspace.
 class Generator {
 public:
     using Operation = transputer::Operation;
@@ -60,15 +61,16 @@ public:
     Code generate(const Declaration& main);
 
 private:
-    /// Describes a procedure or function. Its level and its code are made at the first call.
+    /// Describes a procedure or function. The first call makes its level and its code.
     struct Routine {
-        Level* outer = nullptr; ///< level in which it is declared; null outside of all procedures
-        std::string path;       ///< path of its declaration, ending in a slash
+        Level* outer = nullptr; ///< level of the code that declares it; null outside of all procedures
+        std::string path;       ///< names of the procedures that contain its declaration, each followed by a slash
         Level* level = nullptr;
         Label entry = 0;
-        std::string errors = {}; ///< for a routine of predef.lib: meaning of its errors, which are reported at the call
+        std::string errors =
+            {}; ///< for a routine of predef.lib: what an error in it means; reports show the place of the call
     };
-    /// Restores the value of a variable at the end of a scope.
+    /// Restores the value of a member variable at the end of a C++ scope.
     template <typename T>
     class Kept {
     public:
@@ -92,7 +94,7 @@ private:
     void store(const Cell&);
     void load_address(const Cell&);
     void load_frame_of(const Level&);
-    /// Loads the number of elements of a dimension, plus `more`.
+    /// Loads the number of elements of a dimension, plus `more`, on the register stack.
     void load_extent(const Extent&, std::int64_t more = 0);
     void jump(Label);
     void jump_if_false(Label);
@@ -103,8 +105,8 @@ private:
     bool has_reals() const { return (transputer::only(options_.model) & transputer::with_reals) != 0; }
     void settle();
     void clear_error();
-    /// States what an error of the last instruction means. In `meaning`, {w} stands for the word in the next of the
-    /// cells, and {l} for the INT64.
+    /// States what it means if the last instruction sets the error flag. In `meaning`, {w} is replaced by the value of
+    /// the next of these cells, and {l} by the INT64 there.
     void fails(std::string meaning, std::vector<Cell> cells = {});
     void stop_here(const std::string& why, const std::vector<Cell>& cells = {});
     void loop(const Cell& control, Label start, const std::function<void()>& body);
@@ -122,15 +124,16 @@ private:
 
     // location_code.cpp
     static const Type& plain(const Type&);
-    bool is_word(const Type&) const; ///< the value fits on the register stack; also a REAL32, if routines compute reals
-    static bool is_wide(const Type&); ///< INT64 or REAL64
-    bool is_real(const Type&) const;  ///< the value is computed on the stack of the floating-point unit
+    bool is_word(const Type&)
+        const; ///< whether the value fits in a register; true for a REAL32 if the processor has no floating-point unit
+    static bool is_wide(const Type&); ///< whether the type is an INT64 or REAL64
+    bool is_real(const Type&) const;  ///< whether the value is computed on the stack of the floating-point unit
     static bool has_real_type(const Type&);
     static bool is_compound(const Type& type) {
         return type.kind == Type::Kind::array || type.kind == Type::Kind::record;
     }
     static bool is_channel(const Type&);
-    static std::int64_t size_of(const Type&); ///< bytes in memory; for a channel, the bytes of the pointer
+    static std::int64_t size_of(const Type&); ///< in bytes of memory; for a channel, the size of a pointer
     static std::optional<std::int64_t> fixed_size(const Type&);
     static std::optional<std::int64_t> fixed_bytes(const Storage&);
     Extent outer_extent(const Storage&) const;
@@ -183,7 +186,7 @@ private:
     void conversion(const Expression&, const Conversion&);
     void size_of_array(const Expression&);
     void condition(const Expression&, Label if_false);
-    /// Evaluates up to three words, and leaves the last on top of the register stack.
+    /// Evaluates up to three expressions onto the register stack, with the value of the last on top.
     void push(const std::vector<const Expression*>&);
     void value_process(const ValueProcess&, const std::function<void()>& results);
 
@@ -236,8 +239,9 @@ private:
     struct RealRoutine {
         std::string name;
         std::vector<const Expression*> operands;
-        std::optional<int> mode = {}; ///< mode of rounding: the last argument of a routine for a conversion
-        bool negated = false;         ///< the routine's result must be inverted
+        std::optional<int> mode =
+            {};               ///< for a conversion: the mode of rounding, which is the last argument of the routine
+        bool negated = false; ///< the routine's result must be inverted
     };
     void declare_library();
     const Declaration& library_routine(const Place&, const std::string& name) const;
@@ -260,12 +264,13 @@ private:
     void sequence(const Sequence&);
     void replicated(const Replicator&, const std::function<void()>& body);
     Cell begin_replication(const Replicator&, Label end);
-    /// These two functions generate choices of an IF, and return whether one of these choices is always taken.
+    /// These two functions generate choices of an IF. They return whether one of the choices is certainly taken, so
+    /// that no later code is needed.
     bool choices(const If&, Label done, bool is_last);
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
-    /// Holds the value of the selector of a CASE as a text and cells for fails().
+    /// Holds the selector of a CASE as arguments for fails(), which tell its value in a message.
     struct Selected {
         std::string text;
         std::vector<Cell> cells;
@@ -323,20 +328,21 @@ private:
     void delay(const Delay&);
 
     // alternation_code.cpp
-    /// Describes the code that follows when a guard is chosen: where the code begins, and which process it executes.
+    /// Describes the code that is executed when an ALT chooses a guard.
     struct Branch {
         const Alternative* alternative;
         Label label;
-        std::vector<std::pair<const Declaration*, Cell>> indices; ///< indices of the replicators around the guard
-        std::vector<const Alternative*> around;                   ///< the ALTs around the guard, the outermost first
+        std::vector<std::pair<const Declaration*, Cell>> indices; ///< indices of the replicators that contain the guard
+        std::vector<const Alternative*> around; ///< nested ALTs that contain the guard, the outermost first
     };
     struct Nest {
         std::unordered_map<const Declaration*, Cell> kept =
-            {}; ///< for each index of a replicator, the word that keeps its value at the chosen guard
+            {}; ///< for each index of a replicator: the word that keeps its value at the chosen guard
         std::vector<std::pair<const Declaration*, Cell>> chosen =
-            {}; ///< indices of the replicators around the present guard, with these words
-        std::vector<const Alternative*> around = {}; ///< the ALTs that are being disabled
-        Label after = 0;                             ///< label after the instruction altend
+            {}; ///< indices of the replicators that contain the present guard, with their words in `kept`
+        std::vector<const Alternative*> around =
+            {};          ///< nested ALTs that contain the present guard, the outermost first
+        Label after = 0; ///< label of the code after the instruction altend
         std::vector<Branch> branches = {};
     };
     void alternation(const Alternation&);
@@ -385,7 +391,7 @@ private:
     Emitter emitter_;
     std::list<CodeBuffer> buffers_;
     std::list<Level> levels_;
-    std::unordered_map<const Declaration*, Storage> bindings_; ///< for look-up only; never iterated
+    std::unordered_map<const Declaration*, Storage> bindings_; ///< never iterated, since the order is not determined
     const Declaration* main_ = nullptr;
     bool is_main_ = false;    ///< the present code belongs to the main procedure itself
     bool is_library_ = false; ///< the present code belongs to a routine of predef.lib
@@ -394,11 +400,11 @@ private:
     std::deque<Type> arrays_; ///< types of segments and of words for channels
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
-    double weight_ = 1;               ///< rough estimate of how often the present code is executed
-    std::string path_;                ///< name of the enclosing code, ending in a slash
-    std::uint32_t line_ = 0;          ///< line of the present statement
-    int stack_ = 0;                   ///< words on the register stack
-    int reals_ = 0;                   ///< values on the stack of the floating-point unit
+    double weight_ = 1;      ///< rough estimate of how often the present code is executed, for the layout of workspaces
+    std::string path_;       ///< names of the procedures that contain the present code, each followed by a slash
+    std::uint32_t line_ = 0; ///< line of the present statement in the source
+    int stack_ = 0;          ///< number of words on the register stack
+    int reals_ = 0;          ///< number of values on the stack of the floating-point unit
     bool guards_are_enabled_ = false; ///< the present code is between the instructions alt and altend
     bool checked_ = false;            ///< an instruction since the last settle() may have set Error
 };

@@ -227,7 +227,8 @@ void Generator::load_base(Storage& location) {
     }
 }
 
-/// Loads the address of a location without its offset. Afterwards the location is an offset from the loaded address.
+/// Loads the address of a location without its offset. Afterwards the location is the offset from the address on the
+/// register stack.
 void Generator::finish_address(Storage& location) {
     if (!location.has_index) {
         load_base(location);

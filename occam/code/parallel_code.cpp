@@ -71,7 +71,8 @@ void Generator::parallel(const Process& p, const Parallel& each) {
     clear_error();
 }
 
-/// Prepares the two words that endp uses: the address at which to continue, and the number of processes.
+/// Stores the two words that the instruction endp uses: the address at which to continue after the PAR, and the number
+/// of its processes.
 void Generator::join(Label done, std::int64_t processes) {
     frame_->need_low(2);
     constant(processes);
@@ -88,7 +89,7 @@ void Generator::load_base_of(Frame& frame) {
 
 void Generator::adjust(Frame& from, Frame& to) { emitter_.put(Operation::ajw, Cell{&to, Cell::Area::base, 0}, from); }
 
-/// Generates the code of a component in its own frame, including the endp at its end.
+/// Generates the code of a component of a PAR, with its own workspace (frame) and with the instruction endp at its end.
 void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     const std::int64_t most = std::exchange(level_->vector_most, level_->vector_now);
     {
@@ -104,9 +105,9 @@ void Generator::component(const Process& p, Frame& frame, Frame& parent) {
     level_->vector_most = std::max(level_->vector_most, most);
 }
 
-/// Starts the component of high priority; the process itself continues as the component of low priority. The component
-/// that ends last continues after the PAR. If this is the component of high priority, it first changes to low
-/// priority.
+/// Generates a PRI PAR. The process starts the component of high priority, and itself becomes the component of low
+/// priority. The component that ends last continues after the PAR. If this is the component of high priority, it first
+/// changes to low priority.
 void Generator::priority_parallel(const Parallel& each) {
     const Label done = emitter_.new_label(), start = emitter_.new_label(), low = emitter_.new_label();
     join(done, is_main_ && !options_.awaits_high ? 1 : 2);
@@ -137,8 +138,8 @@ void Generator::priority_parallel(const Parallel& each) {
     clear_error();
 }
 
-/// Generates one level for all components. The addresses of the components' workspaces are known only at run time, so a
-/// component finds the variables around the PAR by a static link.
+/// Generates a replicated PAR, with the same code for all components. The addresses of their workspaces are known only
+/// at run time. A component therefore finds the variables outside of the PAR by a pointer to the enclosing frame.
 void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     const Replicator& replicator = *each.replicator;
     const auto components = constant_of(replicator.count);
@@ -163,12 +164,12 @@ void Generator::replicated_parallel(const Process& p, const Parallel& each) {
     parent.replications.push_back({&level, *components, constant_of(replicator.base)});
     join(done, *components);
     start_components(replicator, *components, level, index, start);
-    op(Operation::stopp); // the last component continues at `done`
+    op(Operation::stopp); // the component that ends last continues at `done`
     mark(done);
     clear_error();
 }
 
-/// Stores the parameters of each component in its workspace, and starts the component.
+/// Generates a loop that stores the parameters of each component in its workspace, and starts the component.
 void Generator::start_components(const Replicator& replicator, std::int64_t components, Level& level, const Cell& index,
                                  Label start) {
     const std::int64_t words = level.main.words(), all = words + level.main.below;
@@ -218,8 +219,8 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
     frame_->need_low(2);
 }
 
-/// Generates the code of a procedure or of a component of a replicated PAR. Its first instructions depend on how many
-/// words the body uses, so they are generated after the body.
+/// Generates the code of a procedure or of a component of a replicated PAR. The first instructions are generated after
+/// the body, since they depend on how many words the body uses.
 void Generator::generate_level(Level& level, Label start, std::string name, const std::function<void()>& body) {
     CodeBuffer& head = buffers_.emplace_back();
     CodeBuffer& rest = buffers_.emplace_back();
@@ -246,7 +247,7 @@ void Generator::generate_level(Level& level, Label start, std::string name, cons
     level.lay_out();
 }
 
-/// Loads the address of the table that holds the constants that are too large for an instruction.
+/// Loads the address of the table of constants that are too large for the operand of a short instruction.
 void Generator::load_table(Level& level) {
     std::vector<std::uint8_t> bytes;
     for (const std::uint32_t word : level.constants)

@@ -10,12 +10,13 @@ using transputer::Operation;
 
 namespace {
 
-/// Describes a predefined function that is one instruction on words.
+/// Describes a predefined function for which the transputer has a single instruction on words.
 struct WordFunction {
     std::string_view name;
     Operation operation;
-    std::array<int, 3> operands; ///< numbers of the arguments in the order in which they are loaded; -1: none
-    std::array<int, 3> results;  ///< numbers of the results in the order in which they are popped
+    std::array<int, 3> operands; ///< indices of the arguments, in the order in which they are loaded; -1: none
+    std::array<int, 3>
+        results; ///< indices of the results, in the order in which they are taken from the register stack
     bool second_generation = false;
 };
 
@@ -138,8 +139,8 @@ bool Generator::real_test(const Call& c) {
     return true;
 }
 
-/// Loads a second real on top of the real that is on the floating-point stack. If the second real needs all registers,
-/// the first real is kept in memory meanwhile.
+/// Loads a second real on top of the real that is on the floating-point stack. If the second real needs all
+/// floating-point registers, the first real is meanwhile in memory.
 void Generator::real_operands_behind(const Expression& second) {
     if (depth_of_real(second) <= 3 - reals_)
         return real(second);

@@ -76,7 +76,7 @@ void Generator::assign(const Expression& target, const Expression& value) {
     real_store(first ? pointer : locate(target));
 }
 
-/// Returns whether the value is a REAL32 that is not computed, and so can be copied as a word.
+/// Returns whether the value is a REAL32 that can be copied as a word, because it needs no computation.
 bool Generator::is_bits(const Expression& value) const {
     return size_of(*value.type) == 4 && is_real(*value.type) &&
            (constant_of(value) || std::holds_alternative<NameUse>(value.form) ||
@@ -128,7 +128,7 @@ void Generator::assign_compound(const Expression& value, int depth, const std::f
     copy(from, target());
 }
 
-/// Copies a value. REQUIRES: no part of its address is on the register stack.
+/// Generates a copy of a value. REQUIRES: no part of its address is on the register stack.
 void Generator::copy(const Storage& source, Storage target) {
     target = pointer_to(target);
     stack_ = 0;
@@ -153,7 +153,7 @@ void Generator::copy(const Storage& source, Storage target) {
     count(-3);
 }
 
-/// Checks that both arrays of an assignment have the same size.
+/// Generates a check that both arrays of an assignment have the same size.
 void Generator::check_sizes(const Storage& a, const Storage& b) {
     if (!options_.range_checks)
         return;
@@ -182,7 +182,8 @@ void Generator::multiple_assignment(const Assignment& a) {
     }
     for (const Expression& target : a.targets) {
         results.push_back(temporary_location(*target.type));
-        if (results.back().is_scalar && called) { // a function writes only the bytes of the type, so clear the others
+        if (results.back().is_scalar &&
+            called) { // clears the whole word, since a function writes only the bytes of the type
             constant(0);
             store(results.back().cell);
         }
@@ -204,7 +205,7 @@ void Generator::multiple_assignment(const Assignment& a) {
     }
 }
 
-/// Returns whether a place for a result is a whole word of the workspace.
+/// Returns whether the target of an assignment is a whole word of the workspace.
 bool Generator::is_word_of_frame(const Expression& target) {
     if (!is_word(*target.type) || size_of(*target.type) != 4 || depth_of_location(target) != 1)
         return false;
@@ -212,7 +213,7 @@ bool Generator::is_word_of_frame(const Expression& target) {
     return location.base == Storage::Base::cell && location.cell.frame->level == level_;
 }
 
-/// Copies a value. REQUIRES: no part of its address is on the register stack.
+/// Generates a copy of a value. REQUIRES: no part of its address is on the register stack.
 void Generator::store_from(const Storage& value, const Expression& target) {
     if (is_word(*target.type) && depth_of_location(target) <= 2) {
         load(value);
@@ -235,7 +236,8 @@ void Generator::sequence(const Sequence& s) {
         process(each);
 }
 
-/// Stores the first index and the count of a replicator in two words. Jumps to `end` if the count is 0.
+/// Generates the beginning of a replicator: stores the first index and the count in two words, and jumps to `end` if
+/// the count is 0.
 Cell Generator::begin_replication(const Replicator& r, Label end) {
     const Cell control = temporary(2);
     const auto base = constant_of(r.base), count_of = constant_of(r.count);
@@ -343,7 +345,7 @@ void Generator::repetition(const While& w) {
 
 namespace {
 
-/// An entry in a table of jumps has this number of bytes. A jump of this length reaches 32 Kbyte in either direction.
+/// Number of bytes of an entry in a table of jumps. A jump of this length reaches 32 Kbyte in either direction.
 constexpr std::uint8_t bytes_of_jump = 4;
 
 } // namespace
@@ -397,7 +399,7 @@ Generator::Selected Generator::go_to_target(const Expression& value, const Targe
     return {"{w}", {selector}};
 }
 
-/// Jumps to the target of the option that equals an INT64, by comparing one option after the other.
+/// Generates a jump to the option of a CASE whose value equals an INT64. Compares one option after the other.
 Generator::Selected Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
     for (const auto& [value, label] : targets) {
         stack_ = 0;
@@ -414,7 +416,7 @@ Generator::Selected Generator::select_wide(const Wide& selector, const Targets& 
     return selector.constant ? Selected{std::to_string(*selector.constant), {}} : Selected{"{l}", {selector.cell}};
 }
 
-/// Jumps to the target of the option that equals the selector, by a binary search.
+/// Generates a jump to the option of a CASE whose value equals the selector, by a binary search.
 void Generator::select(const Cell& selector, std::span<const Targets::value_type> targets, Label otherwise) {
     if (targets.size() > 3) {
         const auto half = targets.size() / 2;
@@ -437,7 +439,7 @@ void Generator::select(const Cell& selector, std::span<const Targets::value_type
     jump(otherwise);
 }
 
-/// Jumps to the target of the option that equals the selector, by a table of jumps.
+/// Generates a jump to the option of a CASE whose value equals the selector, by a table of jumps.
 void Generator::select_by_table(const Cell& selector, const Targets& targets, Label otherwise) {
     const std::int64_t least = targets.front().first, most = targets.back().first;
     for (const bool below : {true, false}) {

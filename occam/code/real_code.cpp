@@ -67,7 +67,7 @@ void Generator::check_reals(const char* meaning) {
         fails(meaning);
 }
 
-/// Clears floating-point errors left by processes that have stopped.
+/// Clears floating-point errors that stopped processes have left.
 void Generator::begin_reals() {
     if (halts() || stack_ > 2)
         return;
@@ -112,7 +112,7 @@ bool Generator::disturbs_reals(const Expression& e) const {
            disturbs_reals(*operation->right);
 }
 
-/// Returns whether a value is in memory, at an address that is computed without the floating-point unit.
+/// Returns whether a value is in memory, at an address whose computation does not use the floating-point unit.
 bool Generator::is_real_leaf(const Expression& e) const {
     if (const auto bits = constant_of(e))
         return *bits != 0;

@@ -7,12 +7,13 @@ namespace placedpar::occam {
 
 using transputer::Operation;
 
-// Routines of the library predef.lib replace missing instructions, for predefined routines and for the arithmetic of
-// reals without a floating-point unit. In these routines, a REAL32 is a word; a REAL64 is two words, like an INT64.
+// Where the transputer has no instruction, the code calls a routine of the library predef.lib: for predefined routines,
+// and for the arithmetic of reals without a floating-point unit. In these routines, a REAL32 is a word, and a REAL64 is
+// two words, like an INT64.
 
 namespace {
 
-/// States what an error means in a routine whose name ends with `name`.
+/// States what it means if a routine whose name ends with `name` sets the error flag.
 struct Errors {
     std::string_view name, meaning;
 };
@@ -28,8 +29,8 @@ constexpr std::array<Errors, 11> errors_by_end = {{{".add", " +: overflow, an in
                                                    {".INT64", ": the real does not fit in INT64"},
                                                    {".REAL32", ": the real does not fit in REAL32"}}};
 
-/// Returns what an error of the routine means. The name of a routine is the name of a predefined routine, or
-/// "TYPE.operation" such as "REAL32.add", or "FROM.TO" for a conversion.
+/// Returns what it means if the routine sets the error flag. A routine has the name of a predefined routine, or a name
+/// such as "REAL32.add" for an operation, or the names of two types, joined by a dot, for a conversion.
 std::string errors_of(const std::string& routine) {
     for (const Errors& each : errors_by_end)
         if (routine.ends_with(each.name))
@@ -108,7 +109,7 @@ std::optional<Generator::RealRoutine> Generator::real_routine(const Expression& 
                        .mode = converted->rounding == Conversion::Rounding::truncate ? 0 : 1};
 }
 
-/// Calls a routine. If `results` is empty, leaves the only result in a register.
+/// Generates a call of a library routine. If `results` is empty, the only result stays in a register.
 void Generator::call_real_routine(const Expression& e, const RealRoutine& routine,
                                   const std::vector<Storage>& results) {
     Arguments mode;

@@ -58,7 +58,7 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
     return extent;
 }
 
-/// Adds the beginning of a segment to the location of the array. Checks that the segment is inside the array.
+/// Makes the location of an array that of a segment of it. Generates a check that the segment is inside the array.
 Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all, const Extent& extent) {
     const Type& element = *plain(*location.type).element;
     if (segment.from)
@@ -71,7 +71,8 @@ Storage Generator::move_to_segment(Storage location, const Segment& segment, con
         } else {
             load_extent(extent);
             load_extent(all, 1);
-            op(Operation::csub0); // otherwise the next limit could be negative, which csub0 takes for a large number
+            op(Operation::csub0); // otherwise the next limit could be negative, and csub0 would take it for a large
+                                  // number
             fails("a segment of {b} elements does not fit in an array of {a-1} elements");
             load_extent(all, 1);
             op(Operation::rev);

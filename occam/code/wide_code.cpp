@@ -6,7 +6,7 @@ namespace placedpar::occam {
 
 using transputer::Operation;
 
-// An INT64 is either a constant, or in two words of the workspace, the lower half first.
+// An INT64 (Wide) is either a constant, or two words of the workspace, the lower half first.
 
 void Generator::load_part(const Wide& value, int part) {
     if (value.constant)
@@ -98,7 +98,8 @@ void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, cons
     wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
 }
 
-/// States what an error of the last instruction means: that this operation on two values of type INT64 has failed.
+/// States what it means if the last instruction sets the error flag: this operation on two values of type INT64 has
+/// failed.
 void Generator::wide_fails(const Wide& a, const std::string& operation, const Wide& b) {
     const bool divides = operation == "/" || operation == "\\";
     std::string meaning = divides ? "" : "overflow: ";

@@ -9,11 +9,12 @@ using transputer::Operation;
 
 namespace {
 
-/// The routines need this number of words below the caller's workspace.
+/// Number of words below the caller's workspace that the routines use. The routines multiply and divide values of type
+/// INT64.
 constexpr int words_of_routine = 20;
 
-/// Copies the operands at the addresses in words 13 and 14 to words 0 to 3, as magnitudes. Stores their signs in words
-/// 4 and 5.
+/// Assembler text, to which the texts below are added. Copies the magnitudes of the operands, whose addresses are in
+/// words 13 and 14, to words 0 to 3. Stores their signs in words 4 and 5.
 constexpr const char* take_magnitudes = R"(
         ajw -12
         ldl 13; ldnl 0; stl 0; ldl 13; ldnl 1; stl 1
@@ -27,8 +28,8 @@ left:   ldl 5; cj right
 right:
 )";
 
-/// Negates the magnitude in words 6 and 7 if word 4 says so, and stores the result at the address in word 15. Sets the
-/// error flag if the result does not fit in an INT64.
+/// Stores the number in words 6 and 7 at the address in word 15, with the sign in word 4. Sets the error flag if the
+/// number does not fit in an INT64.
 constexpr const char* give_result = R"(
         ldl 4; cj positive
         ldc 0; ldc 0; ldl 6; ldiff; stl 6; ldc 0; ldl 7; ldiff; stl 7
@@ -83,7 +84,7 @@ constexpr const char* quotient = R"(
 
 } // namespace
 
-/// Calls a routine with the addresses of both operands and of the result.
+/// Generates a call of a routine with the addresses of both operands and of the result.
 void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& right, const Cell& to) {
     std::string source = take_magnitudes;
     source += which == WideRoutine::multiply ? multiply : divide;

@@ -13,12 +13,14 @@ namespace {
 
 constexpr std::size_t most_workspaces = 65'536;
 
-/// Returns whether the component of a PAR is itself a PAR. Only the components of such a PAR are listed.
+/// Returns whether a component of a PAR is itself only a PAR. In its place, the components of this inner PAR are
+/// listed.
 bool is_only_parallel(const Frame& component) { return component.is_parallel && component.starters() == 1; }
 
 using NameCounts = std::map<std::string, int>;
 
-/// Counts how many components that a frame starts have the same name, apart from indices.
+/// Counts for each name, without indices, the components with this name that a frame (the workspace of a process)
+/// starts.
 void count_names(const Frame& frame, NameCounts& counts);
 void count_name(const Frame& component, NameCounts& counts) {
     if (is_only_parallel(component))
@@ -36,7 +38,7 @@ void count_names(const Frame& frame, NameCounts& counts) {
         count_names(each->main, counts);
 }
 
-/// Adds a name to a list of names: "reader or writer".
+/// Adds a name to a list of names such as "reader or writer".
 void add_name(std::string& names, const std::string& name) {
     constexpr std::size_t longest = 60;
     constexpr const char* others = " or others";
@@ -46,9 +48,9 @@ void add_name(std::string& names, const std::string& name) {
         names += names.size() + name.size() > longest ? others : " or " + name;
 }
 
-/// Collects the workspaces of all processes that a frame starts, directly or through other processes. If a frame has
-/// several PARs one after the other, their processes may use the same words. A workspace of such words has the names of
-/// all processes that use these words.
+/// Collects the workspaces of all processes that a process starts, directly or through other processes. If a process
+/// executes several PARs, one after the other, their components may use the same words. The workspace with these words
+/// then has the names of all these components.
 class Workspaces {
 public:
     Workspaces(const Frame& first, const std::string& name) {
@@ -62,11 +64,12 @@ private:
     struct Naming {
         std::string before = {}, before_inner = {}, indices = {};
         bool is_outermost = true;
-        const NameCounts* counts = nullptr; ///< counts of equal names among sibling components
+        const NameCounts* counts =
+            nullptr; ///< for each name: number of components with this name that one process starts
     };
 
     /// Adds the processes that a process starts. `base` is the workspace pointer of its procedure, in words from the
-    /// first workspace pointer.
+    /// first workspace pointer of the program.
     void add_within(const Frame& frame, std::int64_t base, Naming naming) {
         NameCounts counts;
         count_names(frame, counts);
@@ -88,12 +91,13 @@ private:
             join_from(first);
     }
 
-    /// Joins workspaces that have words in common, among the workspaces from index `first` on.
+    /// Replaces workspaces that have words in common, among those from index `first` on, by workspaces that do not
+    /// overlap.
     void join_from(std::size_t first) {
         const std::vector<CodeWorkspace> all(found_.begin() + static_cast<std::ptrdiff_t>(first), found_.end());
         found_.resize(first);
         std::map<std::int64_t, std::vector<std::size_t>>
-            bounds; // for each word, the workspaces that begin or end at it
+            bounds; // for each word: the workspaces that begin or end there
         for (std::size_t i = 0; i < all.size(); ++i) {
             bounds[all[i].from].push_back(i);
             bounds[all[i].until].push_back(i);
@@ -163,8 +167,8 @@ private:
         outermost_ += naming.is_outermost;
     }
 
-    /// Adds the words of a process, except the words of the processes that it starts. These processes are in found_,
-    /// from index `first`.
+    /// Adds the workspace of a process, without the words of the processes that it starts. The latter are in found_,
+    /// from index `first` on.
     void add_rest(CodeWorkspace own, std::size_t first) {
         std::vector<std::pair<std::int64_t, std::int64_t>> taken;
         for (std::size_t i = first; i < found_.size(); ++i)

@@ -6,7 +6,8 @@
 
 namespace placedpar::occam {
 
-/// Runs the checks that need the whole configuration.
+/// Runs the checks that need the whole configuration, which describes processors, wires and the processes on each
+/// processor.
 void Configurer::check_whole() {
     check_nodes();
     if (!reporter_.failed())
@@ -19,7 +20,7 @@ void Configurer::check_whole() {
     visit_channels(&Configurer::check_channel);
 }
 
-/// Visits the channels that processes use, unless there are errors already.
+/// Visits the channels that processes use, if no error has been reported.
 void Configurer::visit_channels(void (Configurer::*visit)(const Element&, ChannelState&)) {
     if (reporter_.failed())
         return;
@@ -54,7 +55,7 @@ void Configurer::check_node(const Element& node, const NodeState& state, const P
         checker_.report(state.type_at, fmt::format("the memory of \"{}\" is not set", text(node)), example);
 }
 
-/// Replaces the nodes of processes by the processors that they are mapped onto.
+/// Replaces the node of each process by the processor onto which the node is mapped.
 void Configurer::find_processors() {
     for (const auto& [node, state] : configured_.nodes)
         if (state.onto && configured_.nodes[*state.onto].onto)
@@ -82,7 +83,8 @@ bool Configurer::is_local(const ChannelState& state) const {
            configured_.processes[state.output->process].node == configured_.processes[state.input->process].node;
 }
 
-/// Finds the links of a channel that is placed on an arc. The processes of the channel must be at the ends of the arc.
+/// Finds the links of a channel that is placed on an arc, a named wire. The two processes of the channel must be at the
+/// ends of the arc.
 void Configurer::follow_arc(const Element& channel, ChannelState& state) {
     if (!state.arc)
         return;
@@ -152,7 +154,7 @@ bool Configurer::is_at_its_process(const Element& channel, const std::optional<W
 }
 
 /// Makes the wire of a channel that is placed at a link. If two processors place the channel, the wire joins their
-/// links; if only one processor places it, the wire leads to the host.
+/// links. If only one processor places it, the wire leads to the host.
 void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     if (!is_at_its_process(channel, state.leaves, state.output, true) ||
         !is_at_its_process(channel, state.arrives, state.input, false))
@@ -173,7 +175,7 @@ void Configurer::connect_placed(const Element& channel, ChannelState& state) {
     }
 }
 
-/// Adds a wire, unless another channel has already added the same wire. Reports a link that would lead to two places.
+/// Adds a wire, if no other channel has added it. Reports a link with wires to two places.
 void Configurer::add_wire(const WireEnd& a, const WireEnd& b) {
     bool is_known = false;
     for (const auto& [one, other] : {std::pair(a, b), std::pair(b, a)}) {

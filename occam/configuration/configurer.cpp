@@ -11,7 +11,8 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Limits the number of statements, repetitions and elements of a configuration, as for a netlist.
+/// Limits the number of statements, repetitions and array elements of a configuration, so that replicators end in
+/// reasonable time.
 constexpr std::size_t most_steps = 1'000'000;
 
 constexpr const char* allowed_in_network = "NETWORK can have only DO, IF, SET and CONNECT";
@@ -173,7 +174,7 @@ bool Configurer::execute_if(If& conditional) {
     return found;
 }
 
-/// Returns true if a condition was true or had an error.
+/// Executes the first choice whose condition is true. Returns true if a condition was true or had an error.
 bool Configurer::execute_choices(If& conditional) {
     for (Choice& choice : conditional.choices) {
         const std::size_t mark = checker_.mark();

@@ -13,24 +13,25 @@
 
 namespace placedpar::occam {
 
-/// Executes the statements of a configuration. Conditions, and the base, count and step of replicators, must be
-/// constants.
+/// Executes the statements of an occam configuration, which describes processors, wires, and the processes on each
+/// processor. Conditions, and the base, count and step of replicators, must be constants.
 class Configurer {
 public:
-    /// REQUIRES: the program was parsed without errors, and is a configuration.
+    /// The ValChoice, by which options change values, chooses the value of each VAL. REQUIRES: the program was parsed
+    /// without errors, and is a configuration.
     Configurer(Program&, const ValChoice&, Reporter&);
 
     /// Returns what the configuration describes. The result is incomplete if an error was reported.
     Configured run();
 
 private:
-    /// Holds consecutive elements of an object.
+    /// Holds consecutive elements of an array of channels, nodes, arcs or edges.
     struct Range {
         std::size_t object = 0, first = 0, count = 0;
     };
     using Selection = std::vector<Range>;
     enum class Part { network, mapping, software };
-    /// Describes the processor whose PROCESSOR statement is being executed.
+    /// Describes the node whose PROCESSOR statement is being executed.
     struct CurrentProcessor {
         Element node;
         Place at;
@@ -118,7 +119,7 @@ private:
     Configured configured_;
     std::map<const Declaration*, Selection> selections_;
     std::map<std::int64_t, Element> numbered_;
-    std::map<Element, std::vector<WireEnd>> links_used_; ///< for each node, the ends of its wires at this node
+    std::map<Element, std::vector<WireEnd>> links_used_; ///< for each node: the ends of wires at this node
     Part part_ = Part::software;
     std::optional<CurrentProcessor> here_;
     bool has_config_ = false;

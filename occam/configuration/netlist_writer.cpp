@@ -26,7 +26,7 @@ std::string size_text(std::int64_t bytes) {
     return bytes > 0 && bytes % kilo == 0 ? fmt::format("{}K", bytes / kilo) : std::to_string(bytes);
 }
 
-/// Returns whether the name already has a meaning in every netlist, such as the name of a type.
+/// Returns whether the name is predefined in netlists, such as the name of a type.
 bool has_meaning(const std::string& name) {
     static constexpr std::array<std::string_view, 10> words = {
         "host", "edge", "node", "processor", "PROCESSOR", "workstation", "highprocess", "lowprocess", "HIGH", "LOW"};
@@ -56,7 +56,7 @@ void NetlistWriter::put(std::string_view text, const Place& place) {
     text_ += text;
 }
 
-/// Returns the name or, if the netlist uses it for something else, a similar name.
+/// Returns the name in the netlist: `wanted` or, if this name is already in use, a similar name.
 std::string NetlistWriter::new_name(const std::string& wanted) {
     std::string name = netlist_name(wanted);
     for (int number = 2; has_meaning(name) || !names_.insert(name).second; ++number)
@@ -79,7 +79,7 @@ void NetlistWriter::write_nodes() {
     }
 }
 
-/// Returns a name without subscripts for an element of an array: "t_2" for t[2].
+/// Returns a name for an array element that is declared as a single node: "t_2" for t[2].
 std::string NetlistWriter::flat_name(const Element& element) const {
     std::string name = configured_.objects[element.object].name;
     for (const std::int64_t subscript : subscripts_of(configured_, element))
@@ -87,7 +87,7 @@ std::string NetlistWriter::flat_name(const Element& element) const {
     return name;
 }
 
-/// Returns whether all nodes of an object are processors with the same type and the same memory.
+/// Returns whether all nodes of an array are processors of one type with equal memory.
 bool NetlistWriter::are_nodes_alike(std::size_t object, std::size_t count) const {
     const NodeState& first = configured_.nodes.at({object, 0});
     bool are_alike = !first.type.empty();
@@ -98,7 +98,7 @@ bool NetlistWriter::are_nodes_alike(std::size_t object, std::size_t count) const
     return are_alike;
 }
 
-/// Declares the processors of an object: as an array if all of them are alike, otherwise one by one.
+/// Declares the processors of an array: as an array if all are alike, otherwise one by one.
 void NetlistWriter::write_nodes_of(std::size_t object) {
     const Object& each = configured_.objects[object];
     const std::size_t count = count_of_elements(*each.type);
@@ -214,8 +214,8 @@ void NetlistWriter::write_placements() {
         write_channel_placement(configured_.channels.at(channel));
 }
 
-/// Places a channel on a link. A channel to the host is not placed: in a netlist, a port for the host leads to the host
-/// without a statement.
+/// Places a channel on a link. A channel to the host needs no statement: in a netlist, an unconnected port for the host
+/// leads to the host.
 void NetlistWriter::write_channel_placement(const ChannelState& state) {
     const std::optional<WireEnd>& link = state.leaves ? state.leaves : state.arrives;
     if (!link)

@@ -12,14 +12,14 @@
 
 namespace placedpar::occam {
 
-/// Writes a configuration as a netlist. Records for each word of the netlist the place in the configuration from which
-/// it was made, so that an error in the netlist is reported at this place.
+/// Writes an occam configuration as a netlist. Records for the parts of the netlist from which places of the
+/// configuration they come, so that an error in the netlist is reported there.
 class NetlistWriter {
 public:
     NetlistWriter(const Program& program, const Configured& configured, Reporter& reporter)
         : program_(program), configured_(configured), reporter_(reporter) {}
 
-    /// Returns the netlist, without the paths of its files. REQUIRES: the configuration has no errors.
+    /// Returns the netlist. The caller sets MadeNetlist::paths. REQUIRES: the configuration has no errors.
     MadeNetlist write();
 
 private:

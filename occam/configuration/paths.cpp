@@ -9,7 +9,8 @@ namespace placedpar::occam {
 
 namespace {
 
-constexpr std::size_t largest_object = 250'000; ///< largest number of elements of an object
+constexpr std::size_t largest_object =
+    250'000; ///< largest number of elements of an array of channels, nodes, arcs or edges
 
 } // namespace
 
@@ -56,7 +57,8 @@ Configurer::Selection Configurer::slice(const Selection& whole, std::size_t firs
     return part;
 }
 
-/// Returns the elements that a path names; none if the path has an error. REQUIRES: the checker has checked the path.
+/// Returns the elements that an expression such as `t[1]` names (a path); none if the path has an error. REQUIRES: the
+/// checker has checked the path.
 Configurer::Selection Configurer::selection_of(const Expression& path) {
     if (const auto* const use = std::get_if<NameUse>(&path.form)) {
         const auto found = selections_.find(use->meaning);

@@ -8,9 +8,9 @@
 
 namespace placedpar::occam {
 
-/// Returns the program without blanks at the ends of lines, and with blanks instead of tabs at the beginnings of lines.
-/// The depth of indentation stays, since it is part of the language. Returns nothing if the words of the program would
-/// change.
+/// Returns the text of an occam program without blanks at the ends of lines, and with blanks in place of tabs at the
+/// beginnings of lines. The depth of indentation stays, since it has a meaning. Returns nothing if the change would
+/// alter the words of the program.
 std::optional<std::string> with_tidy_blanks(const std::shared_ptr<const SourceFile>&);
 
 } // namespace placedpar::occam

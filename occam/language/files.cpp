@@ -22,8 +22,9 @@ std::string without_folders(const std::string& name) {
     return slash == std::string::npos ? name : name.substr(slash + 1);
 }
 
-/// Returns the names under which the text of a file may be stored. For a compiled file, such as x.tco, these are the
-/// names of its source. For x.module, which KRoC makes from x.occ, they include x.occ.
+/// Returns the names of files that may have the text for a name in #USE or #INCLUDE. For a compiled file, such as
+/// x.tco, these are the names of its source. For x.module, which the compiler KRoC makes from x.occ, they include
+/// x.occ.
 std::vector<std::string> file_names(const std::string& name, FileUse use) {
     static constexpr std::array<std::string_view, 4> sources = {".occ", ".inc", ".module", ".pgm"};
     std::string forward = name;
@@ -39,7 +40,7 @@ std::vector<std::string> file_names(const std::string& name, FileUse use) {
     return {stem + ".occ", stem + ".module"};
 }
 
-/// Returns whether this is the name of a library. The source of a library is not a single file.
+/// Returns whether this is the name of a library, which is not made from a single source file.
 bool is_library(const std::string& name) { return lower_case(name).ends_with(".lib"); }
 
 std::vector<Path> folders_of(const Reading& reading, const Place& named_at) {
@@ -92,7 +93,7 @@ FoundFile loaded(Reading& reading, const Path& path, std::string key, const Plac
     return {std::move(key), nullptr};
 }
 
-/// Returns whether a file may be opened while the files in `reading.open` are open. Reports an error if not.
+/// Returns whether a file may be opened while the files in `reading.open` are being read. Otherwise reports an error.
 bool may_open(Reading& reading, const std::string& key, const std::string& name, const Place& at) {
     const auto same = std::ranges::find(reading.open, key, &OpenFile::key);
     if (same != reading.open.end()) {
@@ -110,7 +111,7 @@ bool may_open(Reading& reading, const std::string& key, const std::string& name,
     return reading.open.size() <= deepest_files;
 }
 
-/// Finds a file that is stored beside the file that names it, or in one of the folders.
+/// Finds a file in the folder of the file that names it, or in one of the folders of the options.
 std::optional<FoundFile> stored_file(Reading& reading, const Path& path, const std::string& name, FileUse use,
                                      const Place& at) {
     std::error_code error;

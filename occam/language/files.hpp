@@ -12,26 +12,27 @@
 
 namespace placedpar::occam {
 
-inline constexpr std::size_t deepest_files = 50;    ///< depth of files that include or use other files
-inline constexpr std::size_t deepest_nesting = 200; ///< depth of nested constructs and parentheses
+inline constexpr std::size_t deepest_files = 50;    ///< greatest depth of files that include or use other files
+inline constexpr std::size_t deepest_nesting = 200; ///< greatest depth of nested constructs and parentheses
 
-/// Describes a file that is being read, and the place where another file names it.
+/// Describes a file that is being read, and the place where #INCLUDE or #USE names it.
 struct OpenFile {
     std::string key; ///< the canonical path, or the name of a built-in file
     Location named_at;
 };
 
-/// Holds the state of reading the files of a program.
+/// Holds the state of reading an occam program with the files that it includes (#INCLUDE) and uses (#USE).
 struct Reading {
     Program& program;
     const ParseOptions& options;
     Reporter& reporter;
     SourceOptions source_options = {};
-    std::map<std::string, std::size_t> units = {};   ///< indices in Program::units; key: OpenFile::key
-    std::vector<OpenFile> open = {};                 ///< the files that are being read, beginning with the main file
-    std::map<std::string, std::string> defined = {}; ///< names of the preprocessor with their values
+    std::map<std::string, std::size_t> units = {}; ///< indices in Program::units; key: OpenFile::key
+    std::vector<OpenFile> open = {};               ///< the files that are being read, beginning with the main file
+    std::map<std::string, std::string> defined =
+        {}; ///< names that the preprocessor's #DEFINE has defined, with their values
     std::set<std::string, std::less<>> refused =
-        {};                ///< words of the language that have been refused; each is refused only once
+        {};                ///< unsupported words of the language that have been reported; each is reported only once
     std::size_t depth = 0; ///< depth of nesting, across files
 
     Location location(const Place& place) const { return program.location(place); }
@@ -44,9 +45,9 @@ struct FoundFile {
     std::shared_ptr<const SourceFile> file; ///< null if the file has been refused
 };
 
-/// Looks for a file that is named at a place. Searches the folder of the file that names it, then the folders of the
-/// options, then PlacedPar's own files. For a library, searches PlacedPar's own files first. Reports an error if the
-/// file does not exist, if it is already open, or if files include or use each other too deeply.
+/// Finds a file that #INCLUDE or #USE names. Searches the folder of the file that names it, then the folders of the
+/// options, then the files that are built into PlacedPar. For a library, searches the built-in files first. Reports an
+/// error if the file does not exist, if it is being read already, or if files include or use each other too deeply.
 std::optional<FoundFile> find_file(Reading&, const std::string& name, FileUse, const Place& named_at);
 
 /// Adds a file to the program, and returns its index.

@@ -12,7 +12,7 @@ constexpr std::uint32_t indentation_step = 2;
 
 } // namespace
 
-/// Continues after a refused statement, at the next line whose indentation is at most `indentation`. `line` is the
+/// Continues after a refused statement, at the next line that is not indented further than `indentation`. `line` is the
 /// number of lines that had been read before the statement.
 void Parser::recover(std::uint32_t indentation, std::size_t line) {
     if (line == lines_taken_ || !is_at_line_start())
@@ -39,7 +39,7 @@ bool Parser::block_goes_on(std::uint32_t indentation) const {
     return !is_at_end() && peek().indentation > indentation && !peek().is(":") && !peek().is(")");
 }
 
-/// Returns the indentation of a block: the indentation of its first line, even if that is wrong.
+/// Returns the indentation of the first line of a block, even if it is wrong, so that the block can still be read.
 std::uint32_t Parser::adopt_indentation(const Word& first, const Word& head) {
     const std::uint32_t wanted = head.indentation + indentation_step;
     if (first.indentation != wanted && !indentation_in_doubt_)
@@ -56,7 +56,8 @@ void Parser::check_indentation(const Word& first, std::uint32_t wanted, const Wo
         {{fmt::format("the \"{}\" is here", head.text), at(head)}});
 }
 
-/// Reads the block below the line of `head`, which has ended. The lines of the block are indented two blanks further.
+/// Reads the block below the line of `head`. The lines of the block must be indented by two blanks more. REQUIRES: the
+/// line of `head` has been read to its end.
 void Parser::parse_block(const Word& head_word, const Component& component) {
     const Word head = head_word;
     const bool doubt = indentation_in_doubt_;
@@ -103,7 +104,7 @@ ProcessBox Parser::parse_body(const Word& head) {
                                 "if nothing must be done, write SKIP, indented by two blanks more");
     const bool is_meant = head.is_word("WHILE") || head.is_word("SEQ") || head.is_word("PAR");
     if (is_empty && is_meant && !is_at_end() && peek().indentation == head.indentation && !peek().is(":"))
-        body = std::make_unique<Process>(parse_process()); // the line below is not indented, although it should be
+        body = std::make_unique<Process>(parse_process()); // the process below is not indented, although it should be
     return body ? std::move(body) : std::make_unique<Process>(Process{head.at, Skip{}});
 }
 

@@ -9,35 +9,36 @@
 
 namespace placedpar::occam {
 
-/// Holds a line of a program together with its continuation lines. The last word is of kind `end`.
+/// Holds the words of a line of a program and of the lines that continue it. The last word is of kind `end`.
 struct Line {
     std::vector<Word> words;
-    bool is_end = false; ///< true after the last line of the file: there is no further line
+    bool is_end = false; ///< true if there is no further line
 };
 
-/// Reads the lines of a file and of the files that it includes. Executes all directives but #USE, which the parser
-/// executes.
+/// Reads the lines of an occam file and of the files that it includes. Executes all directives except #USE, which the
+/// parser executes.
 class Lines {
 public:
     /// REQUIRES: the file is the last of `reading.open`.
     Lines(Reading& reading, std::uint32_t file);
 
-    /// Returns the next line that has words. After the last line, every call returns the end line.
+    /// Returns the next line that has words. After the last line, each call returns a line with `is_end`.
     Line next();
 
 private:
-    /// Describes an #IF whose #ENDIF has not been read.
+    /// Describes an #IF whose #ENDIF has not been read. A branch is the lines after #IF, #ELIF or #ELSE.
     struct Condition {
         Place at;
-        bool is_true = false;  ///< the condition of the present branch holds, so its lines are read
-        bool was_true = false; ///< this branch or an earlier one was read
+        bool is_true = false;  ///< whether the lines of the present branch are read
+        bool was_true = false; ///< whether the lines of this or an earlier branch are read
         bool has_else = false;
     };
     struct File {
         std::uint32_t index = 0;
-        std::string_view rest = {};    ///< the part of the file's text that has not been read
-        std::uint32_t line = 0;        ///< number of the last line that was taken
-        std::uint32_t indentation = 0; ///< indentation of the #INCLUDE
+        std::string_view rest = {}; ///< the part of the file's text that has not been read
+        std::uint32_t line = 0;     ///< number of the last line that was taken
+        std::uint32_t indentation =
+            0; ///< indentation of the #INCLUDE that names the file, which is added to that of its lines
         std::vector<Condition> conditions = {};
     };
     struct TextLine {
@@ -63,7 +64,7 @@ private:
     Reading& reading_;
     WordScanner scanner_;
     std::vector<File> files_;
-    std::optional<TextLine> held_; ///< a line that was read ahead and does not continue the previous line
+    std::optional<TextLine> held_; ///< next line, which was read to see whether it continues the previous line
     Place last_;                   ///< start of the last line that was read
     bool warned_of_tabs_ = false;
 };
@@ -72,7 +73,7 @@ private:
 
 /// Returns whether the directive is #IF, #ELIF, #ELSE or #ENDIF.
 bool is_condition(std::string_view directive);
-/// Returns whether the condition in `words`, after its directive, is true. Reports errors.
+/// Returns whether the condition in `words`, after #IF or #ELIF, is true. Reports errors.
 bool evaluate_condition(Reading&, const std::vector<Word>& words);
 /// Executes #OPTION, which is followed by a string of letters.
 void execute_option(Reading&, const Word& letters);

@@ -12,14 +12,14 @@
 
 namespace placedpar::occam {
 
-/// Holds the options for reading a program.
+/// Holds the options for reading an occam program.
 struct ParseOptions {
     std::vector<std::filesystem::path>
-        folders; ///< where #INCLUDE and #USE look for a file that is not in the folder of the file that names it
-    /// Returns the text of one of PlacedPar's own files or libraries, such as "hostio.inc"; nothing if none has this
-    /// name. The name has no path, and only small letters.
+        folders; ///< searched for files that #INCLUDE and #USE name, after the folder of the file that names them
+    /// Returns the text of a file or library that is built into PlacedPar, such as "hostio.inc"; nothing if there is
+    /// none. REQUIRES: the name has no path and no capital letters.
     std::function<std::optional<std::string>(const std::string& name)> built_in;
-    std::vector<std::string> defined; ///< names that are defined for the preprocessor
+    std::vector<std::string> defined; ///< names that are defined for the preprocessor's #IF
 };
 
 /// Holds the options that #OPTION and #PRAGMA set in the main file.
@@ -33,8 +33,8 @@ struct Parsed {
     SourceOptions options;
 };
 
-/// Reads a file, and all files that it includes or uses. If there are errors, reports them, and returns a tree of only
-/// the parts without errors.
+/// Parses an occam file, and all files that it includes or uses. Reports errors; the returned tree then lacks the parts
+/// with errors.
 Parsed parse(std::shared_ptr<const SourceFile>, const ParseOptions&, Reporter&);
 
 } // namespace placedpar::occam

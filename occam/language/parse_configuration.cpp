@@ -10,8 +10,8 @@
 
 namespace placedpar::occam {
 
-/// NETWORK, MAPPING and CONFIG may also be names of procedures or variables. So they begin a part of a configuration
-/// only if the line ends after the word, or after one name that follows it.
+/// Returns whether NETWORK, MAPPING or CONFIG begins a part of a configuration here. These words may also be names of
+/// procedures or variables. They begin a part only if the line ends after the word, or after one name that follows it.
 bool Parser::is_configuration_part() const {
     if (peek().is_word("PLACED"))
         return true;
@@ -136,8 +136,8 @@ MapOnto Parser::parse_map() {
     return map;
 }
 
-/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. Reads the node as an operand, since a complete
-/// expression would take `node T8` as a conversion.
+/// Reads `PROCESSOR 0 T8` and `PROCESSOR node`. Reads the node as an operand, since in an expression `node T8` would be
+/// a conversion.
 Process Parser::parse_processor() {
     const Word head = take();
     Processor process;

@@ -13,7 +13,7 @@ bool Parser::is_declaration(bool or_expression) const {
                                                               "CHAN", "PORT", "INLINE",   "FUNCTION"};
     if (first.kind == WordKind::directive)
         return true;
-    if (is_wiring()) // `MAP p, q ONTO n` looks like variables of the type MAP
+    if (is_wiring()) // `MAP p, q ONTO n` looks like a declaration of variables of the type MAP
         return false;
     if (first.kind == WordKind::keyword && std::ranges::find(words, first.text) != words.end())
         return true;
@@ -162,7 +162,7 @@ void Parser::parse_untyped(std::vector<DeclarationBox>& declarations, bool is_va
     end_declaration("an abbreviation");
 }
 
-/// Reads the part after `T x` in `T x IS e:` and in RETYPES. Returns false if the declaration is neither of them.
+/// Reads the part after `T x` in `T x IS e:` and `T x RETYPES e:`. Returns false if neither IS nor RETYPES follows.
 bool Parser::parse_definition(std::vector<DeclarationBox>& declarations, const Word& name,
                               std::shared_ptr<TypeText> type, bool is_value) {
     std::optional<bool> is_output;

@@ -77,8 +77,8 @@ Expression Parser::parse_expression() {
     return parse_chain(parse_operand());
 }
 
-/// Reads operators and operands after the first operand. Refuses a second operator, because operators have no
-/// precedence; only AND and OR may be chained.
+/// Reads the operator and the operand after the first operand. Refuses a second operator, because occam's operators
+/// have no precedence; only AND and OR may be chained.
 Expression Parser::parse_chain(Expression left) {
     std::size_t length = 0;
     std::optional<Operator> last;
@@ -328,7 +328,7 @@ Expression Parser::parse_brackets() {
     return made(word, std::move(table));
 }
 
-/// Returns whether the `(` in front of this word begins specifications or VALOF.
+/// Returns whether declarations or VALOF follow the `(` before this word.
 bool Parser::is_value_process() const {
     if (peek().is_word("VALOF"))
         return true;
@@ -348,7 +348,7 @@ Expression Parser::parse_parentheses() {
     return inner;
 }
 
-/// Reads specifications, VALOF, its process and its results. A `)` may follow the results.
+/// Reads declarations, VALOF, its process and its results. A `)` may follow the results.
 ValueProcess Parser::parse_value_process() {
     ValueProcess value;
     parse_declarations(value.declarations, true);

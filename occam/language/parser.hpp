@@ -12,11 +12,11 @@
 
 namespace placedpar::occam {
 
-/// Functions of the parser throw this exception after reporting an error, to skip the rest of the line.
+/// Functions of Parser throw this exception after reporting an error. Parsing then continues with a later line.
 struct LineRefused {};
 
-/// Parses one file into a tree, by recursive descent. An error is reported once; reading continues at the next line
-/// that is not indented further than the line with the error.
+/// Parses one occam file into a tree (occam/language/tree.hpp), by recursive descent. After an error, parsing continues
+/// at the next line that is not indented further than the line with the error.
 class Parser {
 public:
     Parser(Reading& reading, std::uint32_t file);
@@ -25,8 +25,8 @@ public:
     std::vector<DeclarationBox> parse_file();
 
 private:
-    /// Counts a level of nesting while it exists. The constructor refuses a level that is too deep, so that the
-    /// recursive descent does not overflow the stack.
+    /// Counts a level of nesting during its lifetime. The constructor refuses too deep a level, so that no text can
+    /// exhaust the stack.
     struct Nesting {
         explicit Nesting(Parser&);
         ~Nesting() { --reading.depth; }
@@ -68,7 +68,8 @@ private:
     ItemText parse_item_type();
     ProtocolText parse_sequence();
     std::optional<Basic> basic_type(const Word&) const;
-    /// Returns the number of words of the type that begins `ahead`; 0 if no type can begin there.
+    /// Returns the number of words of the type that begins `ahead` words after the next word; 0 if no type begins
+    /// there.
     std::size_t type_length(std::size_t ahead) const;
     std::size_t dimensions_length(std::size_t ahead) const;
     std::size_t bracket_length(std::size_t ahead) const;
@@ -149,8 +150,8 @@ private:
     void parse_tag(Variant&);
 
     // Declarations (parse_declaration.cpp)
-    /// Returns whether a declaration begins here. If `or_expression`, an expression may also begin here, and `INT x` is
-    /// then read as a conversion.
+    /// Returns whether a declaration begins here. `or_expression` is true if an expression may begin here, too; `INT x`
+    /// is then read as a conversion.
     bool is_declaration(bool or_expression) const;
     bool is_foreign_statement() const;
     void parse_declarations(std::vector<DeclarationBox>&, bool or_expression);
@@ -184,8 +185,8 @@ private:
     Line line_;
     std::size_t position_ = 0;
     std::size_t lines_taken_ = 0;
-    bool header_failed_ = false;        ///< parse_header() has refused the last line that it read
-    bool indentation_in_doubt_ = false; ///< an enclosing line has a wrong indentation
+    bool header_failed_ = false;        ///< parse_header() has reported an error in the line that it read last
+    bool indentation_in_doubt_ = false; ///< a line that begins an enclosing construct has a wrong indentation
     Word last_;                         ///< the word that was taken last
 };
 

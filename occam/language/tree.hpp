@@ -12,8 +12,8 @@
 
 namespace placedpar::occam {
 
-/// These structures form the tree of a program, which the parser makes. The checker (occam/check) sets the members that
-/// are marked "checked"; the code generator (occam/code) needs them.
+/// These structures form the syntax tree of an occam program, which the parser makes. The checker (occam/check) later
+/// sets the members that are marked "checked", for the code generator (occam/code).
 
 /// Identifies a place in one of the files of a program. Lines and columns count from 1.
 struct Place {
@@ -35,13 +35,13 @@ struct TypeText;
 
 /// Holds an item of a protocol, such as `T` or `count::[]T`.
 struct ItemText {
-    std::shared_ptr<TypeText> count; ///< type of the count; null unless the item is a counted array
+    std::shared_ptr<TypeText> count; ///< for a counted array: type of the count; null for another item
     std::shared_ptr<TypeText> type;
 };
 /// Holds the protocol after CHAN OF: ANY, a name, or items.
 struct ProtocolText {
     bool any = false;
-    std::vector<ItemText> items; ///< if the protocol has a name: one item, whose TypeText holds the name
+    std::vector<ItemText> items; ///< for a named protocol: one item, whose TypeText has the name
 };
 struct TypeText {
     Place at;
@@ -53,7 +53,7 @@ struct TypeText {
         std::shared_ptr<TypeText> of;
     };
     struct Named {
-        std::string name; ///< a DATA TYPE or a protocol
+        std::string name; ///< name of a DATA TYPE or a protocol
     };
     std::vector<ExpressionBox> dimensions; ///< the outermost first; null for an open dimension `[]`
     std::variant<Basic, Channel, Timer, Port, Named> form;
@@ -92,14 +92,15 @@ enum class Operator : std::uint8_t {
     size
 };
 
-/// Holds the value of a constant expression. `bits` holds a scalar: an integer with its sign extended, a REAL32 or
-/// REAL64 as its bit pattern. `bytes` holds an array or a record in the layout of memory, little-endian.
+/// Holds the value of a constant expression. `bits` is for a scalar: an integer with its sign extended, or the bit
+/// pattern of a REAL32 or REAL64. `bytes` is for an array or a record, as in memory (little-endian).
 struct Constant {
     std::int64_t bits = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> bytes;
 };
 
-/// Holds a name of a value, a variable, a channel, a timer, a field (as a subscript) or a tag (as an item).
+/// Holds a use of a name: of a value, a variable, a channel or a timer; as a subscript, also of a field; as an item of
+/// an output, also of a tag.
 struct NameUse {
     std::string name;
     const Declaration* meaning = nullptr; ///< checked; null for a field or a tag
@@ -107,9 +108,10 @@ struct NameUse {
 /// Holds a literal such as `42`, `#2A`, `'a'`, `42(INT64)` or `TRUE`.
 struct IntegerLiteral {
     std::uint64_t value = 0;
-    bool negative_allowed = false; ///< the literal directly follows a minus sign, so a type of n bits allows 2^(n-1)
-    std::optional<Basic> type;     ///< the stated type; BYTE for a character, BOOL for TRUE and FALSE; nothing: INT
-    std::string type_name = {};    ///< name of a DATA TYPE, as in `42(LENGTH)`
+    bool negative_allowed =
+        false;                  ///< the literal directly follows a minus sign, so that a type of n bits allows 2^(n-1)
+    std::optional<Basic> type;  ///< the stated type; BYTE for a character, BOOL for TRUE and FALSE; nothing: INT
+    std::string type_name = {}; ///< name of a DATA TYPE, as in `42(LENGTH)`
 };
 /// Holds a literal such as `1.5(REAL32)`, with its digits as text.
 struct RealLiteral {
@@ -117,7 +119,8 @@ struct RealLiteral {
     std::optional<Basic> type;
     std::string type_name = {}; ///< name of a DATA TYPE, as in `1.5(LENGTH)`
 };
-/// Holds a string with its escapes resolved. The length has replaced an escape `*l` at the beginning.
+/// Holds the bytes of a string, without escapes. A string that begins with the escape `*l` has its length as the first
+/// byte.
 struct StringLiteral {
     std::string bytes;
 };
@@ -146,7 +149,7 @@ struct Subscript {
     ExpressionBox array, index;
     std::optional<std::uint32_t> field; ///< checked: index among the record's fields
 };
-/// Holds a segment `[a FROM i FOR n]`. The missing part of `[a FOR n]` or `[a FROM i]` is null.
+/// Holds a segment `[a FROM i FOR n]`. In `[a FOR n]`, `from` is null; in `[a FROM i]`, `count` is null.
 struct Segment {
     ExpressionBox array, from, count;
 };
@@ -175,12 +178,12 @@ struct OffsetOf {
 };
 
 struct Expression {
-    Place at; ///< place of the first character; for an operation with two operands, of the operator
+    Place at; ///< the first character; for an operation with two operands, the operator
     std::variant<NameUse, IntegerLiteral, RealLiteral, StringLiteral, TableLiteral, UnaryOperation, BinaryOperation,
                  Conversion, Subscript, Segment, Call, ValueProcess, TypeBound, OffsetOf>
         form;
     std::optional<bool> written_output =
-        {};                           ///< for a channel that is passed or abbreviated: true for `c!`, false for `c?`
+        {}; ///< true for `c!`, false for `c?`, where a channel is passed or abbreviated with a direction
     const Type* type = nullptr;       ///< checked; for a call with several results, the type of the first
     std::optional<Constant> constant; ///< checked: the value, if it is known at compile time
 };
@@ -203,7 +206,7 @@ struct Assignment {
 /// Holds an item of an input or an output: a value `x`, or a counted array `n::a`.
 struct Item {
     Expression value;
-    ExpressionBox counted_array; ///< null unless the item is counted; then `value` is the count
+    ExpressionBox counted_array; ///< for `n::a`: the array `a`; `value` is then the count `n`. Null for another item
 };
 /// Holds `c ? x; n::a`. The channel may also be a timer, as in `clock ? x`, or a port.
 struct Input {
@@ -214,8 +217,8 @@ struct Input {
 struct Delay {
     Expression timer, time;
 };
-/// Holds a variant of `c ? CASE`: `tag; x` and the process below it. The short form `c ? CASE tag; x` has one variant,
-/// without a process.
+/// Holds one branch of `c ? CASE`: the tag and items `tag; x`, and the process below them. The short form `c ? CASE
+/// tag; x` has one branch, without a process.
 struct Variant {
     Place at;
     std::vector<DeclarationBox> declarations; ///< before the tag
@@ -236,7 +239,7 @@ struct Output {
 };
 struct Sequence {
     std::optional<Replicator> replicator;
-    bool is_do = false;             ///< a `DO` of a configuration, whose statements have no order
+    bool is_do = false;             ///< true for a `DO` of a configuration, whose statements have no order
     std::vector<Process> processes; ///< exactly one if there is a replicator
 };
 struct Parallel {
@@ -261,7 +264,7 @@ struct If {
 struct Option {
     Place at;
     std::vector<DeclarationBox> declarations;
-    std::vector<Expression> values; ///< none: ELSE
+    std::vector<Expression> values; ///< empty for ELSE
     ProcessBox process;
 };
 struct Case {
@@ -273,38 +276,38 @@ struct While {
     ProcessBox process;
 };
 struct Alternation;
-/// Holds a guard and its process, or a nested ALT. A guard without an input is `condition & SKIP`.
+/// Holds a guard and its process, or a nested ALT. In the guard `condition & SKIP`, `guard` is Skip.
 struct Alternative {
     Place at;
     std::vector<DeclarationBox> declarations;
     ExpressionBox condition; ///< null without `condition &`
     std::variant<Skip, Input, Delay, VariantInput, std::unique_ptr<Alternation>> guard;
-    ProcessBox process; ///< null for a nested ALT and for a VariantInput, whose variants have processes
+    ProcessBox process; ///< null for a nested ALT, and for a VariantInput, since its variants have the processes
 };
 struct Alternation {
     bool has_priority = false;
     std::optional<Replicator> replicator;
     std::vector<Alternative> alternatives;
 };
-/// Holds `name (arguments)`. The meaning is a Procedure or Predefined.
+/// Holds a call of a procedure: `name (arguments)`. Its meaning is a Procedure or Predefined.
 struct Instance {
     std::string name;
     std::vector<Expression> arguments;
     const Declaration* meaning = nullptr; ///< checked
 };
-/// Holds specifications and the process that follows them.
+/// Holds declarations and the process that follows them.
 struct Scope {
     std::vector<DeclarationBox> declarations;
     ProcessBox process;
 };
-/// Holds `PROCESSOR n T8` or `PROCESSOR node`, and its process. Only configurations have it.
+/// Holds `PROCESSOR n T8` or `PROCESSOR node` of a configuration, and its process.
 struct Processor {
     Expression number;
     std::string type; ///< "" if a node is named
     ProcessBox process;
 };
 
-/// Holds an end of a connection: `node[link][n]`, or an edge.
+/// Holds an end of a CONNECT in a configuration: `node[link][n]`, or an edge.
 struct ConnectionEnd {
     Expression path;    ///< a node or an edge
     ExpressionBox link; ///< null for an edge
@@ -331,7 +334,7 @@ struct MapOnto {
     Expression onto;
     ExpressionBox priority; ///< null without PRI
 };
-/// Holds a statement of NETWORK or MAPPING.
+/// Holds a statement of the part NETWORK or MAPPING of a configuration.
 struct Wiring {
     std::variant<Connect, SetNode, MapOnto> form;
 };
@@ -355,7 +358,7 @@ struct Abbreviation {
     bool is_value = false;
     std::shared_ptr<TypeText> type; ///< null if it is left out
     Expression value;
-    std::optional<bool> written_output = {}; ///< true for `c!` in front of IS, false for `c?`
+    std::optional<bool> written_output = {}; ///< true for `c!` before IS, false for `c?`
 };
 /// Holds `T x RETYPES y:` or `VAL T x RETYPES e:`, or the same with RESHAPES.
 struct Retyping {
@@ -376,7 +379,7 @@ struct Procedure {
     ProcessBox body;
     bool is_inline = false;
 };
-/// Holds a FUNCTION. If the function is defined by `IS`, its body has neither declarations nor a process.
+/// Holds a FUNCTION. If IS defines the function, the body has only results.
 struct Function {
     std::vector<std::shared_ptr<TypeText>> results;
     std::vector<DeclarationBox> parameters;
@@ -406,9 +409,8 @@ struct DataType {
     std::vector<FieldText> fields; ///< fields of a RECORD
     bool is_packed = false;
 };
-/// Holds `PLACE x AT e:`, `PLACE x IN WORKSPACE:` or `PLACE x IN VECSPACE:`. The declaration's name is the name of the
-/// placed thing. A configuration may also place elements of arrays, and several channels on an arc: `PLACE c[0], d ON
-/// arc:`.
+/// Holds `PLACE x AT e:`, `PLACE x IN WORKSPACE:` or `PLACE x IN VECSPACE:`. The name of the Declaration is `x`. A
+/// configuration may also place elements of arrays, and several channels on an arc: `PLACE c[0], d ON arc:`.
 struct Placement {
     enum class Where : std::uint8_t { address, workspace, vector_space, arc };
     Where where = Where::address;
@@ -416,8 +418,8 @@ struct Placement {
     std::vector<Expression> paths = {};
     Declaration* placed = nullptr; ///< checked
 };
-/// Holds NETWORK, MAPPING, CONFIG, or a PLACED PAR at the outermost level of a file. The declaration's name is this
-/// keyword.
+/// Holds a part of a configuration: NETWORK, MAPPING, CONFIG, or a PLACED PAR at the outermost level of a file. The
+/// name of the Declaration is this keyword.
 struct ConfigurationPart {
     ProcessBox process;
 };
@@ -431,7 +433,7 @@ struct Predefined {
     std::vector<Parameter::Passing> passing = {}; ///< how each parameter is passed
 };
 
-/// States whether the program outputs to a channel or inputs from it, within the scope of the channel.
+/// States what the program does with a channel within the channel's scope.
 enum class Direction : std::uint8_t { unused, input, output };
 
 struct Declaration {
@@ -454,7 +456,7 @@ struct Unit {
     std::vector<DeclarationBox> declarations;
 };
 
-/// Holds a place where a name is used or declared, and the name's meaning.
+/// Holds a place where a name is used or declared, and its declaration.
 struct ResolvedName {
     Place at;
     const Declaration* meaning = nullptr;
@@ -463,23 +465,23 @@ struct ResolvedName {
 /// Holds a program and all its files.
 struct Program {
     std::vector<std::shared_ptr<const SourceFile>> files; ///< the first is the main file
-    std::vector<std::unique_ptr<Unit>> units;             ///< in an order in which each unit uses only earlier units
+    std::vector<std::unique_ptr<Unit>> units;             ///< ordered so that each unit uses only earlier units
     std::vector<DeclarationBox> declarations;             ///< declarations of the main file
-    std::vector<DeclarationBox> predefined;               ///< predefined names, which the checker adds
-    /// Holds the routines of the library predef. The generated code calls these routines for predefined routines, and
-    /// for operations on reals for which the processor has no instructions.
+    std::vector<DeclarationBox> predefined;               ///< declarations of predefined names, which the checker adds
+    /// Holds the routines of the library predef. The generated code calls them where the program calls predefined
+    /// routines, and for operations on reals for which the processor has no instructions.
     std::vector<DeclarationBox> routines;
     Types types;
-    /// If true, a table of channels `[c, d]` may be passed as an array of channels. Occam has no such tables, but
-    /// PlacedPar uses them in the program that it writes to run all processes of a node.
+    /// True if a table of channels `[c, d]` may be passed as an array of channels. Occam does not have such tables.
+    /// They are for the program that PlacedPar itself writes to run all processes of a node.
     bool has_channel_tables = false;
-    std::vector<ResolvedName> resolved; ///< checked: all names in the statements that were checked
-    bool is_configuration = false; ///< a ConfigurationPart is among the declarations, so NODE, ARC and EDGE are types
+    std::vector<ResolvedName> resolved; ///< checked: all uses and declarations of names
+    bool is_configuration = false;      ///< the program has a ConfigurationPart, so that NODE, ARC and EDGE are types
 
     Location location(const Place& place) const { return {files[place.file], place.line, place.column}; }
 };
 
-/// Returns the type in occam: "[4][]BYTE", "CHAN OF INT::[]BYTE".
+/// Returns the type as text in occam, such as "[4][]BYTE" or "CHAN OF INT::[]BYTE".
 std::string name_of(const Type&);
 /// Returns the number of bytes of a value in memory. REQUIRES: the type is basic, a record, a derived type, or an array
 /// of known size.

@@ -10,7 +10,7 @@ namespace placedpar::occam {
 
 struct Declaration; // occam/language/tree.hpp
 
-/// Lists the types that hold a single value. INT has 32 bits, but differs from INT32.
+/// Lists the types of single values. INT has 32 bits, but is another type than INT32.
 enum class Basic : std::uint8_t { boolean, byte, integer, int16, int32, int64, real32, real64 };
 
 /// Returns the type's name in occam, such as "REAL32".
@@ -29,8 +29,8 @@ struct Field {
     std::uint32_t offset = 0; ///< bytes from the start of the record
 };
 
-/// Describes a type of the language. Only Types makes types, and makes each type once, so that two types are equal if
-/// their addresses are equal.
+/// Describes a type of an occam program. Only the class Types makes types, and makes each type once. Two types are
+/// therefore equal if their addresses are equal.
 struct Type {
     enum class Kind : std::uint8_t {
         basic,
@@ -40,15 +40,16 @@ struct Type {
         channel, ///< a single channel; its protocol is `protocol`
         timer,
         port, ///< a port for values of type `element`
-        node, ///< this kind and the next two exist only in configurations
+        node, ///< node, arc and edge exist only in configurations
         arc,
         edge,
-        mistaken ///< type of an expression with an error; agrees with every type, so that one error does not cause
+        mistaken ///< type of an expression with an error; it agrees with every type, so that one error does not cause
                  ///< others
     };
     Kind kind = Kind::mistaken;
     Basic basic = Basic::integer;
-    const Type* element = nullptr;                 ///< element of an array; base of a derived type; value of a port
+    const Type* element =
+        nullptr; ///< type of the elements of an array, the base of a derived type, or the values of a port
     std::optional<std::uint32_t> count = {};       ///< number of elements of an array; nothing for an open array `[]T`
     const struct ProtocolType* protocol = nullptr; ///< protocol of a channel
     const Declaration* declared = nullptr;         ///< declaration of a record or a derived type
@@ -61,14 +62,14 @@ struct Type {
 /// of type `count` and the elements.
 struct ProtocolItem {
     const Type* type = nullptr;  ///< for a counted array: the open array
-    const Type* count = nullptr; ///< type of the length; null unless the item is a counted array
+    const Type* count = nullptr; ///< for a counted array: type of the length; null for another item
     bool operator==(const ProtocolItem&) const = default;
 };
 
 /// Describes a tag of a variant protocol, and the items that follow it.
 struct ProtocolTag {
     std::string name;
-    std::uint8_t value = 0; ///< the byte on the channel
+    std::uint8_t value = 0; ///< the byte that is sent for the tag
     std::vector<ProtocolItem> items = {};
 };
 

@@ -21,44 +21,43 @@ enum class WordKind : std::uint8_t {
     string,
     symbol,
     directive, ///< `#USE`, at the start of a line
-    illegal,   ///< text that has been reported as an error
+    illegal,   ///< text that is not a word; it has been reported as an error
     end        ///< end of a line, or of the file
 };
 
-/// Holds a word of a line. `text` refers to the text of the source file.
+/// Holds a word of a line of an occam program. `text` points into the source file.
 struct Word {
     WordKind kind = WordKind::end;
     std::string_view text = {};
     Place at = {};
-    std::uint32_t indentation =
-        0; ///< column of the word, counted from 0: tabs count as blanks, and the indentation of an #INCLUDE is added
-    std::string bytes = {}; ///< bytes of a character or string, with escapes resolved; for #USE, the name of the file
+    std::uint32_t indentation = 0; ///< column of the word, from 0; a tab counts as the blanks that it replaces, and the
+                                   ///< indentation of the file's #INCLUDE is added
+    std::string bytes = {}; ///< for a character or string: its bytes, without escapes; for #USE: the name of the file
 
     bool is(std::string_view symbol) const { return kind == WordKind::symbol && text == symbol; }
-    /// Returns whether this is the keyword `word`, or a name with this text. Keywords that only later versions of occam
-    /// have, such as STEP, are names for the scanner.
+    /// Returns whether this is the keyword `word`, or a name with this text. WordScanner reads keywords of later
+    /// versions of occam, such as STEP, as names.
     bool is_word(std::string_view word) const {
         return (kind == WordKind::keyword || kind == WordKind::name) && text == word;
     }
 };
 
-/// Returns whether the text is a keyword of occam 2. A keyword of a later version, such as STEP, is a name except where
-/// the language expects this keyword, so that old programs can use it as a name.
+/// Returns whether the text is a keyword of occam 2. A keyword of a later version, such as STEP, does not count, so
+/// that old programs can use it as a name.
 bool is_keyword(std::string_view text);
 std::span<const std::string_view> all_keywords();
-/// Returns the words that only configurations have. They are names for the scanner.
+/// Returns the words that have a meaning only in configurations, such as NODE. WordScanner reads them as names.
 std::span<const std::string_view> configuration_words();
-/// Returns a text for messages, such as: the name "x", the keyword "SEQ", ":=", the end of the line.
+/// Returns a text for messages, such as `the name "x"`, `the keyword "SEQ"` or `the end of the line`.
 std::string describe(const Word&);
-/// Returns whether a line that ends with this word continues on the next line: the word is an operator, `,`, `:=`, `IS`
-/// or the like.
+/// Returns whether a line that ends with this word continues on the next line, as after an operator, `,`, `:=` or `IS`.
 bool continues_line(const Word&);
 
-/// Returns the directive that a line begins with, such as "#USE"; "" if there is none. A number such as #FEED is not a
-/// directive.
+/// Returns the directive with which a line begins, such as "#USE"; "" if there is none. A hexadecimal number such as
+/// #FEED is not a directive.
 std::string_view directive_of(std::string_view line);
 
-/// Splits lines of a file into words. Reports text that is not a word.
+/// Splits lines of an occam program into words. Reports text that is not a word.
 class WordScanner {
 public:
     WordScanner(const Program& program, Reporter& reporter) : program_(program), reporter_(reporter) {}
@@ -90,7 +89,7 @@ private:
     std::string_view line_;
     Place start_;
     std::size_t position_ = 0;
-    std::uint32_t blanks_ = 0; ///< number of blanks in front of position_, if the line has only blanks there
+    std::uint32_t blanks_ = 0; ///< number of blanks before position_, if the line has only blanks there
     std::uint32_t indentation_ = 0;
     std::size_t counted_ = 0; ///< number of bytes of the line that blanks_ counts
 };

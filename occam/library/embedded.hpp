@@ -4,8 +4,8 @@
 
 namespace placedpar::occam::embedded {
 
-/// Each function returns the text of a file in this folder, such as convert.occ for convert_occ(). The build makes the
-/// definitions (CMakeLists.txt of the room).
+/// Each function returns the text of a library or include file in this folder, such as convert.occ for convert_occ().
+/// The build makes the definitions (occam/CMakeLists.txt), so that the program needs no files.
 std::string convert_occ();
 std::string course_occ();
 std::string dblmath_occ();

@@ -30,7 +30,7 @@ namespace {
 using FilePath = std::filesystem::path;
 using Folders = std::vector<FilePath>;
 
-/// Holds a file that was read, and all files that it includes or uses.
+/// Holds a file in occam that was read, and all files that it includes or uses.
 struct FileOfPrograms {
     std::unique_ptr<Program> program;
     SourceOptions options;
@@ -38,9 +38,10 @@ struct FileOfPrograms {
     bool failed = false;
 };
 
-/// Holds everything that determines the image of a node: the contents of its memory when a run begins.
+/// Holds everything that determines the image of a node: the program in its memory when a run begins. An image is
+/// compiled again only if this has changed.
 struct ImageSource {
-    std::string text;               ///< the program of the node, including the parameters of its processes
+    std::string text;               ///< the program of the node in occam, including the parameters of its processes
     std::vector<std::string> names; ///< names of the node, of its type, and of the processes
     Folders folders;
     std::vector<const FileOfPrograms*> files; ///< files of the processes
@@ -48,7 +49,8 @@ struct ImageSource {
     auto operator<=>(const ImageSource&) const = default;
 };
 
-/// Holds a kind that was made from a file. It is never changed or removed, since other objects hold pointers to it.
+/// Holds a kind of process that was made from a file. It is never changed or removed, since other objects have pointers
+/// to it.
 struct KindOfFile {
     std::shared_ptr<const FileOfPrograms> file;
     Folders folders;
@@ -82,8 +84,8 @@ std::uint64_t hash_of(const Program& program) {
 }
 
 /// Parses and checks a text. `is_of_user` is false for the program that PlacedPar writes to run all processes of a
-/// node. In this program, the usage of variables and channels is not checked: the netlist already guarantees that each
-/// channel has one process at each end.
+/// node. Parallel usage is not checked in this program, since the netlist guarantees that each channel has one process
+/// at each end.
 FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file, const Folders& folders,
                                   bool is_of_user) {
     Reporter reporter;
@@ -98,7 +100,7 @@ FileOfPrograms parsed_and_checked(const std::shared_ptr<const SourceFile>& file,
     return {std::move(parsed.program), parsed.options, reporter.take(), failed};
 }
 
-/// Reports the errors of a file, each with a note at the place that names the file.
+/// Reports the errors of a file, each with a note that shows where the netlist names the file.
 void pass_errors_on(const FileOfPrograms& file, const std::string& note, const Location& named_at, Reporter& to) {
     for (Diagnostic each : file.diagnostics) {
         if (each.severity != Severity::error)
@@ -246,8 +248,8 @@ private:
         return std::nullopt;
     }
 
-    /// Reads a file. If the file was read before, and no file of the program has changed since, returns the earlier
-    /// result, and does not report its warnings again. Returns null after reporting that the file cannot be read.
+    /// Reads a file; returns null after reporting that the file cannot be read. If the file was read before, and no
+    /// file of the program has changed since, returns the earlier result without reporting its warnings again.
     std::shared_ptr<const FileOfPrograms> read_file(const std::string& path, const Folders& folders,
                                                     Reporter& reporter) {
         std::shared_ptr<const FileOfPrograms>& known = files_[{path, folders}];
@@ -263,9 +265,9 @@ private:
         return known;
     }
 
-    /// Gives the workspaces and the code of the components their names in reports. For a process within a component,
-    /// the name of the component comes first: "table/phil[2]". If the netlist has no name for a process, the name of
-    /// the node comes first.
+    /// Gives the workspaces and the code of the program's components their names in reports. A process within a
+    /// component has the name of the component before its own: "table/phil[2]". If the netlist has no name for a
+    /// process, the name of the node comes first.
     static void name_components(Code& code, const TextOfImage& text, const std::string& node) {
         const std::vector<Component>& all = text.components;
         std::erase_if(code.workspaces,
@@ -290,8 +292,8 @@ private:
                 each.name = found->second;
     }
 
-    /// Returns rows for transputer::CodeLines with the names that channels have in the network. A channel to another
-    /// processor has one name, although its ends are words in two memories.
+    /// Returns rows for transputer::CodeLines, so that reports give channels their names in the network. A channel to
+    /// another processor then has one name, although its ends are words in two memories.
     static std::string channel_rows(const Code& code, const TextOfImage& text, transputer::Word first_workspace) {
         std::string rows;
         for (const CodeChannel& each : code.channels)
@@ -308,8 +310,8 @@ private:
         return {kind.path, kind.file->program.get(), kind.procedure};
     }
 
-    /// Turns off the checks and the vector space if an #OPTION in a file of the node's processes does so. Returns the
-    /// folders in which one of these files looks for other files.
+    /// Turns off the checks and the vector space, the separate memory for arrays, if an #OPTION in a file of the node's
+    /// processes does so. Returns the folders in which one of these files searches for other files.
     Folders read_options(const Network& network, std::size_t node, CodeOptions& options) const {
         Folders folders;
         for (const ProcessInstance& process : network.processes)
@@ -324,7 +326,7 @@ private:
         return folders;
     }
 
-    /// Returns the program of a node. Compiles it only once, since a study runs the same program many times.
+    /// Returns the image of a node. Compiles it only once, since a study runs the same program many times.
     std::shared_ptr<const transputer::Image> compiled(const Network& network, std::size_t node, Reporter& reporter) {
         constexpr std::size_t most_images = 1000;
         CodeOptions options{.mode = error_mode(chosen_.mode),

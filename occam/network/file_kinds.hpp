@@ -6,7 +6,8 @@
 
 namespace placedpar::occam {
 
-/// Returns an object that makes process kinds from the PROCs of files in occam (docs/reference/netlist-language.md).
+/// Returns an object that makes kinds of processes from the PROCs of files in occam, so that netlists can name these
+/// files as programs (docs/reference/netlist-language.md).
 std::shared_ptr<FileKinds> make_file_kinds();
 
 } // namespace placedpar::occam

@@ -119,8 +119,8 @@ private:
         return "  PRI PAR\n    PAR\n" + high_.text + (low_.text.empty() ? "    SKIP\n" : "    PAR\n" + low_.text);
     }
 
-    /// Adds a process. Processes of high priority that carry messages never end, so a program with such processes ends
-    /// as soon as its processes of low priority have ended. Therefore one process of low priority waits until all other
+    /// Adds a process of the netlist. Processes that pass on messages have high priority and never end. A program with
+    /// such processes therefore ends when its processes of low priority have ended. One of these waits until the other
     /// processes of high priority have ended.
     void add(const ProcessInstance& process, const std::string& indentation) {
         Components& to = process.high_priority ? high_ : low_;
@@ -144,7 +144,7 @@ private:
             high_.add(std::move(each), "      ");
     }
 
-    /// Declares a channel that neither begins nor ends on this node.
+    /// Declares the protocol of a channel that only passes this node.
     void pass_on(const CarriedChannel& channel) {
         declare_protocol(*channel.protocol);
         declare(channel.number, "CHAN OF " + protocol_name(*channel.protocol));
@@ -274,8 +274,8 @@ private:
         place(name, *link_to_host(n_, node_) + first_address);
     }
 
-    /// Returns whether a channel of the server's protocol is an input. If the procedure uses neither of its two
-    /// channels, the first is the input.
+    /// Returns whether a channel of the protocol SP, which leads to the host's server, is an input. If the procedure
+    /// uses neither of its two channels, the first is the input.
     bool is_input_of_server(const ProcessInstance& process, const Declaration& parameter) const {
         if (const Direction direction = direction_of(parameter); direction != Direction::unused)
             return direction == Direction::input;
@@ -290,7 +290,7 @@ private:
     std::size_t node_;
     const ProgramOf& program_of_;
     NodeRoutes ways_;
-    bool carries_; ///< this node has processes of high priority that carry messages of other processes
+    bool carries_; ///< whether this node has processes that pass on messages of other processes
     TextOfImage image_;
     Components high_, low_;
     std::map<std::string, std::string> protocols_; ///< declarations of protocols; key: name

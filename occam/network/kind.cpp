@@ -15,7 +15,7 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Stands for the C++ type of the messages at all ports of processes in occam.
+/// Serves as the C++ type of the messages at all ports of processes in occam.
 struct BytesOfItems {};
 
 const Type& plain_type(const Type& type) { return type.kind == Type::Kind::derived ? plain_type(*type.element) : type; }
@@ -29,7 +29,8 @@ std::vector<std::type_index> single_or_counted(bool counted) {
     return {counted ? std::type_index(typeid(std::vector<T>)) : std::type_index(typeid(T))};
 }
 
-/// Returns the C++ types that correspond to a value, or to a counted array of such values.
+/// Returns the C++ types whose messages have the same bytes as a value of this type, or as a counted array of such
+/// values.
 std::vector<std::type_index> types_of_basic(Basic basic, bool counted) {
     switch (basic) {
     case Basic::boolean: return counted ? std::vector<std::type_index>{} : single_or_counted<bool>(false);

@@ -10,31 +10,33 @@
 
 namespace placedpar::occam {
 
-/// Returns the name in a netlist: `to_right` for `to.right`.
+/// Returns the name in a netlist for a name in occam: `to_right` for `to.right`.
 std::string netlist_name(const std::string& name);
 
 /// Returns the protocol of a channel or of an array of channels.
 const ProtocolType& protocol_of(const Type&);
 
-/// Returns whether a parameter is a channel of the server's protocol, SP.
+/// Returns whether a parameter is a channel with the protocol SP, which leads to the host's server.
 bool leads_to_server(const Declaration& parameter);
 
-/// Returns whether a parameter is a channel of a terminal: keyboard, screen or error, of BYTE.
+/// Returns whether a parameter is a channel of BYTE named keyboard, screen or error, which leads to a terminal.
 bool leads_to_terminal(const Declaration& parameter);
 
-/// Returns the direction in which the procedure uses the channel parameter. If the procedure does not use it, returns
-/// the direction that the parameter states, or the direction of the terminal's channel; `unused` if neither is known.
+/// Returns the direction in which a procedure uses its channel parameter. If the procedure does not use the parameter,
+/// returns the direction that its declaration states, or that of a channel to a terminal. Returns `unused` if none of
+/// these is known.
 Direction direction_of(const Declaration& parameter);
 
-/// Returns the text of a protocol's items: "INT::[]BYTE; BYTE".
+/// Returns the items of a protocol as text, such as "INT::[]BYTE; BYTE".
 std::string text_of_items(const std::vector<ProtocolItem>&);
 
-/// Returns the text of a protocol with its items: "INT::[]BYTE", "P IS INT; BYTE". Two ports agree if these texts are
-/// equal.
+/// Returns a protocol as text, such as "INT::[]BYTE" or "P IS INT; BYTE". Two ports may be connected if the texts of
+/// their protocols are equal.
 std::string text_of(const ProtocolType&);
 
-/// Returns the kind of processes that execute a checked procedure: its ports and parameters. If a netlist cannot
-/// give a value to one of the parameters, reports this, and returns nothing.
+/// Returns the kind of process, with its ports and parameters, that a netlist can make from a procedure. If a netlist
+/// cannot give a value to one of the parameters, reports this, and returns nothing. REQUIRES: the procedure was checked
+/// without errors.
 std::optional<ProcessKind> kind_of(const Program&, const Declaration& procedure, Reporter&);
 
 } // namespace placedpar::occam

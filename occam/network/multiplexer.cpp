@@ -15,8 +15,8 @@ namespace placedpar::occam {
 
 namespace {
 
-/// Describes one form of a channel's messages. A variant protocol has a form for each tag; any other protocol has one
-/// form.
+/// Describes a form of the messages of a channel. A variant protocol has a form for each tag; any other protocol has
+/// one form.
 struct MessageForm {
     std::string tag; ///< empty if the protocol has no tags
     const std::vector<ProtocolItem>* items;
@@ -37,7 +37,7 @@ std::string tag_on_wire(const CarriedChannel& channel, const MessageForm& form) 
 
 std::string taken(const CarriedChannel& channel) { return fmt::format("netlist.taken.{}", channel.number); }
 
-/// Writes the variables that hold the items of a message: a separate variable for each item of each form.
+/// Writes declarations of the variables for the items of a message: a separate variable for each item of each form.
 class MessageVariables {
 public:
     MessageVariables(const CarriedChannel& channel, const std::string& prefix) : channel_(channel), prefix_(prefix) {}
@@ -51,7 +51,7 @@ public:
         return text;
     }
 
-    /// Returns the items of a form for an input or output: "x; n::a".
+    /// Returns the items of a form for an input or output, such as "x; n::a".
     std::string items(std::size_t form) const {
         std::vector<std::string> names;
         const std::vector<ProtocolItem>& items = *forms_of(*channel_.protocol)[form].items;
@@ -82,7 +82,7 @@ private:
     std::string prefix_;
 };
 
-/// Writes the processes at one end of a wire.
+/// Writes the processes at one end of a shared wire, which carries several channels in one of its directions.
 class SharedWireText {
 public:
     explicit SharedWireText(const SharedWire& wire) : w_(wire), at_(std::to_string(wire.link)) {}
@@ -119,8 +119,8 @@ private:
             {fmt::format("{} of link[{}]{}{}", what, at_, of ? ", " : "", of ? of->name : ""), std::move(text), true});
     }
 
-    /// Returns the number of entries that the queue has room for. At most one entry for each channel waits, besides the
-    /// entry that is being sent.
+    /// Returns the number of entries for which the queue has room. At most one entry for each channel waits, in
+    /// addition to the entry that is being sent.
     std::size_t room() const { return std::bit_ceil(w_.leaving.size() + w_.arriving.size() + 2); }
 
     std::string protocol(const char* direction, const std::vector<CarriedChannel>& with,
@@ -148,7 +148,8 @@ private:
                                           at_, w_.link + first_input_link, room());
     }
 
-    /// Returns statements that put an entry into the queue, and wake the process that empties the queue if it waits.
+    /// Returns statements that put an entry into the queue. They also wake the process that empties the queue, if it
+    /// waits.
     std::string enqueue(const std::string& entry) const {
         return fmt::format("netlist.queue.{0}[netlist.next.{0}] := {1}\n"
                            "netlist.next.{0} := (netlist.next.{0} + 1) /\\ {2}\n"
@@ -217,7 +218,7 @@ private:
 
 namespace {
 
-/// Returns whether a program may see an array as an array with another number of elements, by RETYPES or RESHAPES.
+/// Returns whether a program may give an array another number of elements, by RETYPES or RESHAPES.
 bool sees_arrays_otherwise(const Program& program) {
     return std::ranges::any_of(program.files, [](const std::shared_ptr<const SourceFile>& file) {
         return !file->path().starts_with('<') && (file->text().find("RETYPES") != std::string::npos ||

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-/// Makes processes in occam that carry messages of other processes between processors.
+/// Makes the text of processes in occam that pass messages of other processes between processors.
 ///
-/// A wire that carries several channels in one direction is shared. At each end of a shared wire run the following
-/// processes, all at high priority:
+/// A shared wire is a wire that carries several channels in one of its directions. At each end of a shared wire run the
+/// following processes, all at high priority:
 /// - For each channel that leaves, a process inputs a message and puts the channel's number into a queue. It inputs the
 ///   next message only after the far end has reported that the previous message was taken.
 /// - One process outputs the messages in the queue, and reports that messages were taken at this end.
@@ -18,62 +18,65 @@
 ///   message on the wire waits for such a process.
 /// - For each channel that arrives, a process outputs the messages to the receiving process.
 ///
-/// Each channel has at most one message under way. The queue therefore has room for all of them, and no channel waits
+/// Each channel has at most one message under way. The queue therefore has room for all messages, and no channel waits
 /// for another channel. The processes share variables safely, since a process of high priority is not interrupted
 /// between two communications.
 namespace placedpar::occam {
 
 struct Program; // occam/language/tree.hpp
 
-inline constexpr int first_input_link = 4; ///< memory word of the input of link 0; words 0 to 3 are the outputs
+inline constexpr int first_input_link =
+    4; ///< word of memory that is the input of link 0; words 0 to 3 are the outputs of the links
 
-/// Describes a channel of the network whose messages are carried by processes on a node.
+/// Describes a channel of the network whose messages such processes pass on.
 struct CarriedChannel {
     std::size_t number = 0;                 ///< index in Network::channels
     std::string name;                       ///< name in the network
     const ProtocolType* protocol = nullptr; ///< never ANY
     const Program* program = nullptr;       ///< program of the process that outputs to the channel
-    std::uint64_t longest_text = 0; ///< length in bytes of the longest text among the parameters of this process
+    std::uint64_t longest_text =
+        0; ///< length in bytes of the longest text that the netlist gives to this process as a parameter
 };
 
-/// Describes a shared wire from the view of one of its two nodes.
+/// Describes a shared wire as seen from one of its two nodes.
 struct SharedWire {
     int link = 0;                                  ///< number of the node's link
     std::vector<CarriedChannel> leaving, arriving; ///< in ascending order of number
 };
 
-/// Describes a process in the text, and its name in reports.
+/// Holds the text of a process, and its name in reports.
 struct Component {
     std::string name;
-    std::string text;     ///< text of the process, without indentation
-    bool carries = false; ///< the process carries messages of other processes
+    std::string text;     ///< in occam, without indentation
+    bool carries = false; ///< the process only passes on messages of other processes
 };
 
-/// Holds the parts of a text in occam.
+/// Holds the text of the processes at one end of a shared wire, in occam.
 struct CarrierText {
-    std::string protocols;    ///< declarations of the protocols that all processes use
-    std::string declarations; ///< declarations of the variables and channels that the components share
+    std::string protocols;    ///< declarations of protocols
+    std::string declarations; ///< declarations of variables and channels that the components share
     std::vector<Component> components;
 };
 
 /// Returns the text with each line moved to the right by `by` blanks.
 std::string indented(const std::string& text, std::size_t by);
 
-/// Returns the greatest possible length of a counted array on the channel. This is the length of the longest array in
-/// the program, since a process outputs one of its arrays, or a part of one of them.
+/// Returns the greatest possible length of a counted array on the channel, for the size of a buffer. The result is the
+/// length of the longest array in the sender's program, since a process outputs one of its arrays, or a part of it.
 std::uint64_t longest_array(const CarriedChannel&, const ProtocolItem&);
 
-/// Returns the number of kinds of messages that a wire carries in one direction, including the acknowledgements for the
-/// channels of the other direction (`against`). At most 256 kinds are possible.
+/// Returns the number of kinds of messages that a wire carries in one direction: those of the channels in this
+/// direction (`with`), and the reports that messages of the other direction (`against`) were taken. At most 256 kinds
+/// are possible, since a byte tells the kind.
 std::size_t count_of_messages(const std::vector<CarriedChannel>& with, const std::vector<CarriedChannel>& against);
 
-/// Returns the name that the texts of nodes give to a channel of the network.
+/// Returns the name of a channel of the network in these texts. `number` is its index in Network::channels.
 std::string name_of_channel(std::size_t number);
 
-/// Returns the processes at one end of a wire. They refer to channels by name_of_channel().
+/// Returns the processes at one end of a shared wire. They refer to channels by name_of_channel().
 CarrierText text_of_shared_wire(const SharedWire&);
 
-/// Returns a process that inputs messages from a channel, and outputs them to another channel.
+/// Returns a process that inputs the messages of a channel from `in` and outputs them to `out`.
 Component text_of_relay(const CarriedChannel&, const std::string& in, const std::string& out);
 
 } // namespace placedpar::occam

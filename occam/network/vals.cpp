@@ -33,7 +33,8 @@ std::string print_value(const Value& value) {
     return std::visit([](const auto& of) { return fmt::format("{}", of); }, value);
 }
 
-/// Returns the reason why the VAL cannot have this value, which is of the right kind, but does not fit in the type.
+/// Returns the reason why a VAL cannot have this value: a number is out of the range of the type, or a text has the
+/// wrong length.
 std::string refusal(const Value& chosen, const Type& type) {
     if (std::holds_alternative<std::string>(chosen))
         return fmt::format("its type is {}, and a text must have exactly this size", name_of(type));

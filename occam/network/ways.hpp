@@ -12,7 +12,7 @@
 
 namespace placedpar::occam {
 
-/// Describes the procedure of a file that is the program of a process.
+/// Describes the program of a process in occam: a procedure in a file.
 struct ProgramOfProcess {
     std::string path; ///< path of the file
     const Program* program = nullptr;
@@ -22,18 +22,18 @@ struct ProgramOfProcess {
 /// Returns the program of a process.
 using ProgramOf = std::function<ProgramOfProcess(const ProcessInstance&)>;
 
-/// Holds the channels of processes in occam that use the wires of one node.
+/// Holds the channels of processes in occam that use the wires of one node. A shared wire carries several channels in
+/// one of its directions.
 struct NodeRoutes {
-    /// Describes a channel that passes through the node from one wire to another. Neither wire carries another channel
-    /// in the direction of this channel.
+    /// Describes a channel that passes through the node from one wire to another, neither of which is shared.
     struct Relay {
         CarriedChannel channel;
-        int out; ///< number of the link by which the channel leaves
+        int out; ///< number of the link by which the channel leaves the node
     };
     std::map<std::size_t, SharedWire> shared; ///< shared wires of the node; key: index in Network::connections
     std::vector<Relay> relays;
-    std::vector<CarriedChannel> passing;  ///< channels that neither begin nor end on the node
-    std::map<std::size_t, int> addresses; ///< for each channel that is placed at a link, the memory word of the link;
+    std::vector<CarriedChannel> passing;  ///< all channels that neither begin nor end on the node
+    std::map<std::size_t, int> addresses; ///< for each channel on an unshared wire: the word of memory of its link;
                                           ///< key: index in Network::channels
 };
 

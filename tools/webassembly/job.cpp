@@ -8,7 +8,7 @@
 #include <iterator>
 #include <string>
 
-/// Emscripten declares this function without defining it. There is no signal that would need another stack.
+/// Emscripten declares this function without defining it. WebAssembly has no signals that would need another stack.
 extern "C" int sigaltstack(const stack_t*, stack_t*) { return -1; }
 
 /// Reads a job from standard input, and writes the answer to standard output, as `placedpar serve --job` does.

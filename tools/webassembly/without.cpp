@@ -1,4 +1,5 @@
-// What the rooms need and WebAssembly lacks: threads, and the reader of studies.
+// This file replaces what WebAssembly lacks: threads, and the reader of studies (files about experiments with a
+// netlist).
 
 #include "explore/check/check_file.hpp"
 #include "explore/check/languages.hpp"
