@@ -34,8 +34,8 @@ struct RunSettings {
     TraceSink* trace = nullptr;                ///< null: no trace
     SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Checkpoints* checkpoints = nullptr;        ///< null: the searches begin anew, and their states are not kept
-    Interruption* interruption =
-        nullptr;                   ///< null: nothing ends the run early. An interruption can end only one run at a time
+    /// Null: nothing ends the run early. An interruption can end only one run at a time.
+    Interruption* interruption = nullptr;
     RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 

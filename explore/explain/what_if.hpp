@@ -36,8 +36,8 @@ struct WhatIfs {
     std::uint64_t seed;
     Time until;
     const Interruption& interruption; ///< changes not yet tried at the interruption are left out
-    std::function<void(std::size_t, std::size_t)>
-        progress;        ///< called with the number of changes tried and the number of all changes
+    /// Called with the number of changes tried and the number of all changes.
+    std::function<void(std::size_t, std::size_t)> progress;
     std::size_t at_once; ///< number of runs at a time
 };
 

@@ -16,8 +16,8 @@ struct TopologyRequest {
     std::optional<std::size_t> degree;   ///< degree of a chordal ring: 3 or 4
     std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
     std::string problem;                 ///< search problem, such as "rastrigin(dimensions = 10)"; "": the default
-    std::string host =
-        "workstation"; ///< where the host's process runs: "workstation", or "node" for the first processor
+    /// Where the host's process runs: "workstation", or "node" for the first processor.
+    std::string host = "workstation";
     std::string output = "to_neighbours", input = "from_neighbours"; ///< names of the kind's port arrays
 };
 

@@ -17,8 +17,8 @@ namespace placedpar {
 struct Optimum {
     std::vector<std::string> measures; ///< the one or two measures that were minimised, with their units
     Trial start;                       ///< the unchanged netlist, with the settings that all machines share
-    std::vector<SearchCourse>
-        courses; ///< the genetic course comes first and has feasible machines; the other courses may have none
+    /// The genetic course comes first and has feasible machines; the other courses may have none.
+    std::vector<SearchCourse> courses;
 
     /// Returns the machines of all courses, each once, in the order of the courses.
     SearchCourse together() const;

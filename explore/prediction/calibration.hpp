@@ -41,8 +41,8 @@ struct Calibration {
     std::size_t repetitions = 0;
     MessageCosts threads;
     MeasuredCost across_asleep; ///< a message there and back between two threads that sleep
-    MeasuredCost
-        string; ///< packing and unpacking an individual in a task and in the result, without the message itself
+    /// Packing and unpacking an individual in a task and in the result, without the message itself.
+    MeasuredCost string;
     std::vector<ProblemCost> problems;
     std::optional<MessageCosts> ranks; ///< set if ranks were measured
     MeasuredCost oversleeping;         ///< how much longer a pause of a rank lasts than requested

@@ -61,8 +61,8 @@ struct Study {
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
     Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
     std::vector<std::string> measures;
-    Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
+    /// Each figure is divided by the figure of the run with these settings; empty: figures are absolute.
+    Overrides relative_to = {};
     std::optional<StudySearch> search = {}; ///< empty: all combinations are run
     std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables

@@ -22,8 +22,8 @@ struct StudyName {
 
 /// The names of a netlist that a study can use.
 struct StudyNames {
-    std::map<std::string, StudyName>
-        settings; ///< constants, "master.trials", and "trials" for all elements that have it
+    /// Constants, "master.trials", and "trials" for all elements that have it.
+    std::map<std::string, StudyName> settings;
     std::map<std::string, StudyName> measures; ///< without subscripts
     std::map<std::string, StudyName> programs; ///< the programs of processes
 };

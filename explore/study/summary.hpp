@@ -46,8 +46,8 @@ struct StudySummary {
     std::string netlist, version;
     std::vector<std::string> axes = {}; ///< axes that have several values
     Overrides fixed = {};               ///< settings that all combinations share
-    Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
+    /// Each figure is divided by the figure of the run with these settings; empty: figures are absolute.
+    Overrides relative_to = {};
     std::uint64_t unrelated = 0; ///< number of runs with figures but without such a reference run
     std::vector<std::string> measures = {}, units = {};
     std::vector<StudyLine> lines = {}; ///< sorted by the values; numbers are sorted by size

@@ -219,8 +219,8 @@ private:
     std::string kind_;
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
-    std::set<std::tuple<toml::source_index, toml::source_index, std::string>>
-        reported_; ///< reports made so far, so that each report is made only once
+    /// Reports made so far, so that each report is made only once.
+    std::set<std::tuple<toml::source_index, toml::source_index, std::string>> reported_;
 };
 
 } // namespace placedpar

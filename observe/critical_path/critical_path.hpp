@@ -84,8 +84,8 @@ private:
     std::map<std::uint32_t, Lane> lanes_;                    ///< key: ordinal of a process that exists
     std::unordered_map<const Executive*, Number> held_;      ///< last event on each executive
     std::unordered_map<std::string, Number> bus_held_;       ///< last use of each bus
-    std::map<std::pair<const AnyChannel*, bool>, Number>
-        came_; ///< last arrival at each end of each channel; `true` is the outputting end
+    /// Last arrival at each end of each channel; `true` is the outputting end.
+    std::map<std::pair<const AnyChannel*, bool>, Number> came_;
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
     std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when the channel's bytes last began to flow
     std::map<std::string, Time> waits_at_links_;

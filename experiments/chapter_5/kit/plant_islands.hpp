@@ -40,8 +40,8 @@ struct PlantSearchRun {
     std::vector<std::vector<std::size_t>> chosen; ///< for each choice, the island chosen at each broadcast
     double diversity = 0; ///< mean number of bits in which two individuals of an island differ, over all islands and
                           ///< every tenth generation from 400 to 600
-    double identical =
-        0; ///< share of these generations in which the best individuals of the first and the last island are equal
+    /// Share of these generations in which the best individuals of the first and the last island are equal.
+    double identical = 0;
 };
 
 /// Returns the record of the plant for this seed. All methods with the same seed get the same record.
