@@ -42,7 +42,7 @@ struct RunSettings {
 /// Runs the network. Rethrows the exceptions of the processes.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
 /// Runs the network with the process kinds of a catalogue (netlist/kinds/catalogue.hpp). The kinds already have an
-/// observer and checkpoints, so those in the settings are ignored.
+/// observer and checkpoints, so the observer and the checkpoints in the settings are ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is

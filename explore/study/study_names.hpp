@@ -13,7 +13,7 @@ namespace placedpar {
 
 class ProblemRegistry; // gaprocs/problem_registry.hpp
 
-/// Describes a name of a netlist that a study can use.
+/// Describes a name of a netlist that a study can use, for completion in editors.
 struct StudyName {
     std::string about = {}; ///< text in whole lines
     Location at = {};       ///< where the netlist declares the thing or gives the value; no file: unknown
