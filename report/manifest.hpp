@@ -18,7 +18,7 @@ struct Manifest {
     std::uint64_t seed;
     Overrides overrides;
     ReadOptions read = {};
-    Time until = Time::max(); ///< time limit of the run, in virtual time
+    Time until = Time::max(); ///< time limit of the run, in simulated time
     std::optional<std::uint64_t> shuffle = {};
 };
 
@@ -30,9 +30,9 @@ extern const char* const commit;
 std::string version_text();
 
 /// Returns an object with the keys "version", "commit", "command", "netlist", "netlist_hash", "overrides", "set",
-/// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists the elements that each
-/// option set; the list is empty for a val. "faults" is present if options stated faults, "until_ps" if a stopping time
-/// was given, "shuffle" if the run was shuffled.
+/// "programs", "include_folders" and "seed". "overrides" has the options as given; "set" lists the processes, nodes and
+/// wires that each option changed; the list is empty for a constant (`val`). "faults" is present if options stated
+/// faults, "until_ps" if a stopping time was given, "shuffle" if the run was shuffled.
 boost::json::object manifest_json(const Manifest&, const Network&);
 
 /// Prints the value with indentation and a final newline. Numbers that are not finite become null.
