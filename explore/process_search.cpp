@@ -28,7 +28,7 @@ using Settings = std::map<std::string, Value>;
 
 std::int64_t integer(std::size_t value) { return static_cast<std::int64_t>(value); }
 
-/// Returns the parameters that make a searching process do what identify() does.
+/// Returns the parameters with which a searching process makes the same search as identify().
 Settings settings_of(const IdentificationWay& way) {
     const SearchSettings& search = way.search;
     return {{"population", integer(search.population)},

@@ -307,8 +307,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     return slice;
 }
 
-/// Returns the process that came to the other end of the channel. If no process has come, returns the last user of that
-/// end, or the outermost process of a user that has ended; "" if unknown.
+/// Returns the partner of a wait: the process that came to the other end of the channel. If no process has come,
+/// returns the last user of this end, or, if this user has ended, its outermost process; "" if unknown.
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
@@ -351,7 +351,7 @@ bool Timeline::write(Slice slice) {
     return true;
 }
 
-/// Sets an end of a message, and writes the message when both ends are known.
+/// Notes the track and the time of one end of a message. Writes the message when both ends are known.
 void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     auto found = messages_.find(end.message);
     if (found == messages_.end())
