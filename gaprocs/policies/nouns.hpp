@@ -20,9 +20,9 @@ struct Form {
                          ///< the folder that contains examples/
 };
 
-/// One aspect of a genetic algorithm, such as selection, with its policies: the ways to do this step. `placedpar
-/// policies` lists them. Netlists and the library use the same names. Each netlist parameter that configures the aspect
-/// has the aspect's name in ParameterDescription::noun.
+/// One aspect of a genetic algorithm, such as selection, with its policies: the ways to do this step. `placedpar kinds
+/// policies` lists the policies. Netlists and the library use the same names. Each netlist parameter that configures
+/// the aspect has the aspect's name in ParameterDescription::noun.
 struct Noun {
     std::string name; ///< "selection"
     std::string about;
