@@ -129,9 +129,9 @@ void report_errors(const std::vector<Diagnostic>& diagnostics, Reporter& reporte
             reporter.error(each.location, each.message, each.hint, each.others);
 }
 
-/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again, with a
-/// procedure that calls the main procedure, and with the change. This second check reports only errors, because the
-/// first check has reported the warnings.
+/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again. This
+/// time it has a procedure that calls the main procedure, and the change. This second check reports only errors,
+/// because the first check has reported the warnings.
 OccamCheck checked_program(const std::shared_ptr<const SourceFile>& file,
                            const std::vector<std::filesystem::path>& folders, const occam::SourceOptions& wanted,
                            const occam::ChangeDeclaration& change, Reporter& reporter) {

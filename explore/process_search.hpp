@@ -39,14 +39,15 @@ struct ProcessSearch {
     SearchAnswers answers() const;
 };
 
-/// Reads the netlist so that its processes search for the compliances that fit the samples of `prepared`, with the
+/// Reads the netlist so that its processes search for the compliances that fit the samples of `prepared`. They have the
 /// settings of the identification, such as the number of individuals.
 ///
-/// 1. Each setting becomes the default of the parameter with the same name, in every searching process. 2. If the
-/// netlist itself states this parameter, and its value differs from the setting, the value should come from a constant
-/// (`val`) with the same name, such as `population` or `elite`. The setting then replaces the value of this constant,
-/// as --set would. 3. A netlist with a single search also uses the random numbers of identify(). If there are several
-/// searches, the netlist states the population of each, and each has its own random numbers.
+/// 1. Each setting becomes the default of the parameter with the same name, in every searching process.
+/// 2. If the netlist itself states another value for this parameter, this value should come from a constant (`val`)
+/// with the same name, such as `population` or `elite`. The setting then replaces the value of this constant, as --set
+/// would.
+/// 3. A netlist with a single search also uses the random numbers of identify(). If there are several searches, the
+/// netlist states the population of each, and each has its own random numbers.
 ///
 /// Throws UserError if no process searches, if a search belongs to a pair of a coarse and a fine search, or if the
 /// populations do not add up to the population of the identification. Also throws UserError if the output is an

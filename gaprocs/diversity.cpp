@@ -154,8 +154,8 @@ double diversity_within(const Spread& population) {
 
 /// Computes the mean squared distance of two individuals from different populations, a sum of three terms. The first
 /// two terms are, for each of the two populations, the mean squared distance of its individuals from its centre. The
-/// third term is the squared distance of the two centres. The mean of the third term over all pairs of populations is
-/// computed without a loop over pairs, from the distances of the centres from the mean of all centres.
+/// third term is the squared distance of the two centres. The mean of the third term over all pairs of populations
+/// follows, without a loop over pairs, from the distances of the centres from their mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -5,8 +5,8 @@
 namespace placedpar {
 
 /// Returns the family, that is, a problem with settable numbers, protected against exceptions of user-defined code. If
-/// the problem's constructor, one of its functions or the function that makes its measurements throws anything, the
-/// returned family throws a UserError with the problem's name instead.
+/// any function of the problem, its constructor, or the function that makes its measurements throws anything, the
+/// returned family throws a UserError with the problem's name.
 ProblemFamily guarded(const ProblemFamily&);
 
 } // namespace placedpar

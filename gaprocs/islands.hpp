@@ -41,8 +41,8 @@ struct IslandsSettings {
     /// sample.
     void validate_for(std::size_t record_length) const;
     /// Returns a warning about a topology that is allowed, but probably not intended; otherwise "". In such a topology
-    /// the islands form several parts without any exchange between the parts, or individuals of some island can never
-    /// reach some other island of its part. Throws what Topology::neighbours() throws.
+    /// the islands form several parts that exchange nothing with each other, or individuals of some island never reach
+    /// some other island of its part. Throws what Topology::neighbours() throws.
     std::string warning() const;
 };
 

@@ -52,8 +52,8 @@ struct ObservedAnswer {
 /// Receives the events of all searches of a run, for logs and plots. An observer must not affect the searches.
 ///
 /// 1. The generations of a search are reported in order, without gaps.
-/// 2. The immigrants of a generation are reported after the generation, and before the next generation of the same
-/// search, in the order in which they were accepted or rejected.
+/// 2. The immigrants of a generation are reported between this generation and the next generation of the same search,
+/// in the order in which they were accepted or rejected.
 /// 3. The order of events of different searches is not specified.
 /// 4. References and views in the arguments are valid only during the call.
 class SearchObserver {

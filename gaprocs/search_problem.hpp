@@ -24,10 +24,10 @@ using Sample = std::vector<double>;
 
 /// The functions that a search needs of a problem with measurements. A search looks for the parameters with the least
 /// error. A plain struct can have them without including this header. A problem works with natural binary and Gray code
-/// if its functions are templates in the type of the genome (the string of bits), and read the genome by field(first,
-/// count). A problem may also have `coding()`, the ParameterCoding of the string; `true_parameters()`, the parameters
-/// from which a simulated record was made; and the members of ErrorOfParameters (gaprocs/population_fitness.hpp), which
-/// make the evaluation of a population faster.
+/// if its functions are templates in the type of the genome (the string of bits). They must read the genome by
+/// field(first, count). A problem may also have `coding()`, the ParameterCoding of the string; `true_parameters()`, the
+/// parameters from which a simulated record was made; and the members of ErrorOfParameters
+/// (gaprocs/population_fitness.hpp), which make the evaluation of a population faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;

@@ -24,8 +24,9 @@ class RandomStream;
 // when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no error is 0:
 //   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, which always contradicts eq. 5.5;
 //   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
-//   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest. The proof does not
-//   hold for a problem whose errors come from a simulation that starts at the beginning of each window.
+//   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest.
+// The proof does not hold for a problem whose errors come from a simulation that starts at the beginning of each
+// window.
 
 /// Chooses the island with the greatest Sw_i / SA_i, exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared
 /// errors of eq. 5.1.

@@ -32,10 +32,9 @@ struct NamedTopology {
 };
 
 /// All islands of a netlist, that is, the processes of the kind ga.island, and their neighbours. Islands are numbered
-/// from 0 in the order of their declarations. The neighbours of an island are in the order of the topology that its
-/// parameter names, if this topology gives the island the same neighbours as the connections. Otherwise the neighbours
-/// are in the order of the connections. The constructor reads the whole netlist, so all islands share one archipelago
-/// to save time.
+/// from 0 in the order of their declarations. The neighbours of an island are in the order of its connections. But if
+/// the parameter `topology` names a topology that gives the island the same neighbours, they are in the order of this
+/// topology. The constructor reads the whole netlist, so all islands share one archipelago to save time.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);

@@ -9,9 +9,8 @@
 
 namespace placedpar {
 
-/// Tracks which individuals of a generation have been dealt out, if they are dealt out one by one, each to an idle
-/// slave or to the idle evaluator of the master. The master's evaluator is a process of low priority on the master's
-/// processor.
+/// Deals out the individuals of a generation one by one, each to an idle slave or to the idle evaluator of the master.
+/// The master's evaluator is a process of low priority on the master's processor.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)

@@ -13,9 +13,9 @@ namespace placedpar {
 // the connections of ports have already been checked. They refuse settings with which a process cannot work, and
 // connections on which a process would wait for ever.
 
-/// Checks a ga.host, the process that sends measurements to searches. Checks that the problem exists, that its record
-/// is long enough for the samples that the host or the sensors send, and that each estimate comes from a search that
-/// gets its samples from this process.
+/// Checks a ga.host, the process that sends measurements to searches. Checks that the problem exists, and that its
+/// record is long enough for the samples that the host or the sensors send. Checks that each estimate comes from a
+/// search that gets its samples from this process.
 std::vector<Complaint> check_host(const Network&, std::size_t process, const ProblemRegistry&);
 /// Checks a ga.slave, which evaluates individuals for a master. Checks a ga.slave, which evaluates individuals for a
 /// master. Checks that the problem exists, that only one process sends tasks to the slave, and that the slave is not

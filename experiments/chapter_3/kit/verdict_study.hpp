@@ -37,8 +37,8 @@ struct TestedFault {
 
 /// Returns the faults to test. A leak is present at all times, or begins when the valve opens (leak_of()). A drift of
 /// 10.5 mV moves the spool by .005 in. If the areas are measured, no offset is tested. If the machine is not at rest
-/// after a movement, the diagnosis cannot tell an offset from a leak that begins with the movement, so both may be left
-/// undecided.
+/// after a movement, the diagnosis cannot tell an offset from a leak that begins with the movement. Both may then be
+/// left undecided.
 std::vector<TestedFault> tested_faults(const RecordSource& source, hydraulics::AreasFrom from);
 
 /// The verdicts during some movements.

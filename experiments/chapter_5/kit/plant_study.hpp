@@ -91,8 +91,8 @@ PlantIslands distributed_pga(std::string schedule, double noise);
 /// Returns the configuration with y-hat simulated inside the window, five generations for each sample, and B = 100.
 /// These values work best with the simulated y-hat.
 PlantIslands simulated_in_window(PlantIslands islands);
-/// These functions return a search with 100 individuals and a window of 30 samples (experiment #5), and a search with a
-/// window of 20 samples that computes as much as the distributed islands together.
+/// These functions return single searches. single_ga() has 100 individuals and a window of 30 samples (experiment #5).
+/// equal_cost_ga() has a window of 20 samples, and computes as much as the distributed islands together.
 PlantIslands single_ga(double noise);
 PlantIslands equal_cost_ga(double noise);
 

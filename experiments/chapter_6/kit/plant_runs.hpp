@@ -17,8 +17,8 @@ namespace placedpar {
 /// field (Table 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
-/// Returns the coding of a coarse search (Table 6.3), whose strings have the two bits for the delay, and the `bits`
-/// most significant bits of each of the five other parameters. With `bits` = 7 these are all bits of the problem.
+/// Returns the coding of a coarse search (Table 6.3). Its strings have the two bits for the delay, and the `bits` most
+/// significant bits of each of the five other parameters. With `bits` = 7 these are all bits of the problem.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
 /// Returns the settings that all searches of chapters 5 and 6 have: a window of 30 samples, B = 10 for a sample,
