@@ -25,8 +25,10 @@ struct LoggedGeneration {
     double best_so_far;       ///< best value of `best` up to this generation. If the window of measurements moves, this
                               ///< compares fitness values from different windows
     double best, mean;        ///< fitness or objective; `mean` omits values that are not finite
-    double diversity;         ///< diversity_within(); for all searches together, the mean over the searches
-    double between = 0;       ///< diversity_between(); only for all searches together
+    double diversity;         ///< how different the individuals of a search are (diversity_within()); for all searches
+                              ///< together, the mean over the searches
+    double between = 0; ///< how different individuals of different searches are (diversity_between()); only for all
+                        ///< searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
 };

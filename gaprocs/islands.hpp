@@ -68,8 +68,8 @@ void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> a
 /// on. In each generation, first all islands are evaluated and their emigrants chosen; then each island accepts its
 /// immigrants and breeds. An island accepts immigrants in the order of the numbers of the islands from which they come.
 /// The result does not depend on the order in which the islands are computed, because each island draws from its own
-/// random stream. Islands that exchange with each other, directly or through other islands, begin together. They begin
-/// when each of them has enough samples for a generation.
+/// random stream. Unless the schedule is asynchronous, islands that exchange with each other, directly or through other
+/// islands, begin together, when each of them has enough samples for a generation.
 ///
 /// An island's window is the newest samples, over which it evaluates individuals. An immigrant is evaluated again in
 /// the window of its new island. If both islands have the same window, the fitness does not change, because sums of

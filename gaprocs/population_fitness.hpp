@@ -20,7 +20,7 @@ namespace placedpar {
 /// each in one lane of a vector register (type Lanes). `parameters_from.operator()<width>(i)` returns the parameters of
 /// individual i and the following individuals, as a container of Lanes. `terms(parameters)` takes these parameters as a
 /// std::span of Lanes, and returns a function. This function is called with one sample after another, and returns the
-/// terms of the sample. The sums equal those of a loop over single individuals, bit for bit, because operations on
+/// terms of the sample. The sums are the same, bit for bit, as in a loop over single individuals, because operations on
 /// Lanes and on double round alike (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,

@@ -50,14 +50,14 @@ public:
     virtual Representation representation() const { return BitString(bits()); }
     /// Returns how many numbers a sample has; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
-    /// Returns the objective of a problem that needs no record of measurements; nothing for a problem with a record. If
-    /// there is an objective, fitness() ignores the samples and the bias.
+    /// Returns the objective of a problem that needs no measurements; nothing for a problem with measurements. If there
+    /// is an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
     /// Returns the names of the objectives if there are several; empty otherwise. A problem with several objectives has
     /// no fitness: it needs search_front() (gaprocs/front_search.hpp).
     virtual std::vector<std::string> objective_names() const { return {}; }
     /// Returns the costs of an individual, all to be minimised, and its violation of the constraints; nothing for a
-    /// problem with a record. An individual with a cost that is not a finite number is infeasible.
+    /// problem with measurements. An individual with a cost that is not a finite number is infeasible.
     virtual std::optional<Merit> merit(const Genome&) const { return std::nullopt; }
     /// Returns merit() of each individual. A problem may evaluate a whole population at once. REQUIRES: objective()
     /// returns an objective.

@@ -23,7 +23,8 @@ struct Manifest {
 };
 
 extern const char* const version;
-/// The commit of the sources as `git describe` names it, with "-dirty" if they were changed since; "" if unknown.
+/// The commit of the sources as `git describe` names it, with "-dirty" if the sources were changed after this commit;
+/// "" if the commit is unknown.
 extern const char* const commit;
 
 /// Returns a text such as "0.1.0 (commit 2ec56e0)".

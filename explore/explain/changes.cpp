@@ -248,9 +248,8 @@ private:
         return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
     }
 
-    /// Adds changes that reduce a process's computing time, by those of its parameters that are in cycles. REQUIRES:
-    /// the process shares its processor with others. If it is alone on its processor, a faster clock has the same
-    /// effect.
+    /// Adds changes that reduce the computing time of a process: reductions of its parameters in cycles. REQUIRES: the
+    /// process shares its processor with others. If it is alone on its processor, a faster clock has the same effect.
     void add_process(const ProcessInstance& process) {
         for (const Factor& factor : factors) {
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};

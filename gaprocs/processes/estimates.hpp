@@ -30,7 +30,7 @@ public:
     void note_taken(std::size_t process);
     /// Receives the estimates of one search until the search ends. After each estimate, calls `received` with the
     /// number of samples that the search had received. Call this function for each search in a process of its own, in
-    /// parallel with the processes that send samples. Otherwise the run deadlocks, because a search takes no further
+    /// parallel with the processes that send samples. Otherwise the run may deadlock, because a search takes no further
     /// sample until its estimate has been received.
     void receive(std::size_t search, const std::function<void(std::size_t samples)>& received);
     /// Compares the last estimates of all searches, and returns the parameters of the fittest. REQUIRES: an estimate

@@ -15,8 +15,8 @@ namespace placedpar {
 /// The master's part of the thesis's algorithm A: evaluates a population with the help of slave processes. Master and
 /// slaves form a tree, such as a chain or a star. Slaves pass on messages for the slaves behind them. In each
 /// generation the master first sends the tasks, beginning with the nearest slaves, then evaluates its own share, then
-/// receives the results. With Split::demand, an idle slave or the idle master takes the next individual. Without slaves
-/// the master evaluates all individuals.
+/// receives the results. With Split::demand, individuals are instead sent one by one, each to an idle slave or the idle
+/// master. Without slaves the master evaluates all individuals.
 ///
 /// The fitness does not depend on the number of slaves, on their connections, or on the process that evaluates an
 /// individual (see fitness.hpp).

@@ -35,7 +35,7 @@ struct SizedMessage {
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
-/// Between computers, a string is sent as its length in bits, followed by its words.
+/// Between the ranks of a run on several computers, a string is sent as its length in bits, followed by its words.
 template <>
 struct PackedForm<Genome> {
     static void write(const Genome& genome, MessageBytes& to) {

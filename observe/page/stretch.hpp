@@ -32,13 +32,16 @@ public:
     void add(const MessageArrow&);
 
     /// Packs the stretch. Afterwards the stretch is empty and begins at its former end. The bytes are numbers, written
-    /// by append_number(). Values of one kind compress best if they follow each other, so each of the following values
-    /// is written for all slices or messages before the next value: length of the texts in bytes; the texts as JSON;
-    /// number of tracks that have slices; for each such track: its number and its number of slices; for all slices, by
-    /// track: time since the end of the track's preceding slice, or since the stretch's begin; duration; activity, plus
-    /// 16 if the slice is open; number of its text; number of messages; for all messages, in order of leaving: sender's
-    /// track; receiver's track; time since the preceding message left, or since the stretch's begin; duration; number
-    /// of the channel's text. Times are in picoseconds.
+    /// by append_number(). Values of one kind compress best if they follow each other. So each of these values is
+    /// written for all slices or messages before the next value. Times are in picoseconds:
+    ///
+    ///     texts                 length of the texts in bytes; the texts as JSON
+    ///     tracks                number of tracks that have slices; for each: its number, its number of slices
+    ///     slices, by track      time since the end of the track's preceding slice, or since the stretch's
+    ///                           begin; duration; activity, plus 16 if the slice is open; number of its text
+    ///     messages, by leaving  number of messages; sender's track; receiver's track; time since the preceding
+    ///                           message left, or since the stretch's begin; duration; number of the
+    ///                           channel's text
     PackedStretch pack();
 
 private:

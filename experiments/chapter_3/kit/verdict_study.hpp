@@ -15,7 +15,7 @@
 namespace placedpar {
 
 /// The number of movements in a test of the on-line diagnosis. In the movements of a sound machine any alarm is false;
-/// in those of a faulty machine the fault must be found.
+/// in the movements of a faulty machine the fault must be found.
 inline constexpr std::size_t sound_movements = 20, faulty_movements = 8;
 
 /// A fault of a machine, and the alarm that it should raise.

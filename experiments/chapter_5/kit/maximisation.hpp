@@ -21,9 +21,9 @@ struct StaticTask {
 const std::vector<StaticTask>& static_tasks();
 
 /// Returns the number of generations, at least 1, until an island reaches the target, or `limit` if no island reaches
-/// it. The operators are those of section 5.4 of the thesis, except that selection is by rank, because the fitness may
-/// be negative. There are `islands` islands of `population` individuals each. Every three generations, each island
-/// sends its best individual to the next of its neighbours in the hypercube (section 5.2.1).
+/// it. The operators are the operators of section 5.4 of the thesis, except that selection is by rank, because the
+/// fitness may be negative. There are `islands` islands of `population` individuals each. Every three generations, each
+/// island sends its best individual to the next of its neighbours in the hypercube (section 5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 
