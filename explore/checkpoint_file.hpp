@@ -21,26 +21,28 @@ struct KeptSearch {
     std::map<std::string, std::string> parameters;
 };
 
-/// A file with the states of all searches of a run at one generation. The file is replaced as a whole, so it is never
-/// partly written. If searches end at different generations, the last generation that all have reached is kept.
+/// A file with the states of all searches of a run at one generation, from which a later run continues. The file is
+/// replaced as a whole, so it is never partly written. If searches end at different generations, the file has the last
+/// generation that all of them have reached.
 class CheckpointFile final : public Checkpoints {
 public:
     /// Reads the file if it exists; the searches then continue from it. `every` is the number of generations between
     /// two stored states, at least 1.
     ///
-    /// Throws UserError if a search of the network depends on data that a checkpoint cannot store (it sends estimates,
-    /// or belongs to a pair of a coarse and a fine search), or if no process searches. Throws UserError if the file
-    /// cannot be read, is not a checkpoint, has another seed, or has searches with other names, problems, codings or
-    /// numbers of individuals. Other parameters may have changed: the searches continue with the new values.
+    /// Throws UserError if a search of the network depends on data that a checkpoint cannot store. Such a search sends
+    /// estimates, or belongs to a pair of a coarse and a fine search. Throws UserError if no process searches. Throws
+    /// UserError if the file cannot be read, is not a checkpoint, has another seed, or has searches with other names,
+    /// problems, codings or numbers of individuals. Other parameters may have changed: the searches continue with the
+    /// new values.
     CheckpointFile(std::filesystem::path, const Network&, std::uint64_t seed, std::uint64_t every);
-    /// Makes a checkpoint file for searches of the library, such as run_islands().
+    /// Makes a checkpoint file for searches that a program runs without a netlist, such as run_islands().
     CheckpointFile(std::filesystem::path, std::vector<KeptSearch>, std::uint64_t seed, std::uint64_t every);
 
     /// Returns the generation from which the searches continue; 0 if they begin anew.
     std::uint64_t begin() const { return begin_; }
 
-    /// Returns a text that is the same for two objects only if the searches continue from the same file and keep their
-    /// states after the same generations.
+    /// Returns a text that identifies the searches' start and the generations whose states are stored. Two objects have
+    /// equal texts only if their searches continue from the same file and store the same generations.
     std::string digest() const;
 
     const SearchCheckpoint* begin_of(const std::string& search) const override;

@@ -20,8 +20,8 @@ class Parameters;   // hydraulics/data/parameters.hpp
 struct RecordNeeds; // hydraulics/data/record_table.hpp
 } // namespace hydraulics
 
-// Functions that read the user's files. A file with errors is refused: RefusedInput shows each error with file, line,
-// column and a caret. "-" is standard input.
+// Functions that read the user's files. For a file with errors they throw RefusedInput, which shows each error with
+// file, line, column and a caret. "-" is standard input.
 
 /// The largest number of errors shown, and the largest number of warnings shown.
 inline constexpr std::size_t most_faults_shown = 20;
@@ -32,10 +32,10 @@ using WarningSink = std::function<void(const std::string&)>;
 /// Reads a text. Throws RefusedInput.
 std::shared_ptr<const SourceFile> load_text(const std::filesystem::path&);
 
-/// Reads a netlist with all kinds that this program knows. Throws RefusedInput.
+/// Reads a netlist that may use all kinds of processes that this program knows. Throws RefusedInput.
 Network load_network(const std::filesystem::path&, const Overrides&, const ProblemRegistry&, const WarningSink&,
                      const ReadOptions& = {});
-/// Completes a parsed netlist with the kinds of a catalogue. Throws RefusedInput.
+/// Makes the network of a parsed netlist, with the kinds of processes in a catalogue. Throws RefusedInput.
 Network load_network(const ParsedNetlist&, const Overrides&, const Catalogue&, const WarningSink&);
 
 /// A record of measurements, and the warnings about its file.
@@ -46,8 +46,8 @@ struct LoadedRecord {
 /// Reads a record of measurements. Throws RefusedInput.
 LoadedRecord load_record(const std::filesystem::path&, const hydraulics::RecordNeeds&, const WarningSink&);
 
-/// Returns the excavator's constants; constants in the file replace the program's constants of the same name. If the
-/// path is empty, returns the program's constants. Throws RefusedInput.
+/// Returns the excavator's constants. Constants in the file replace the program's constants of the same name. An empty
+/// path gives the program's constants. Throws RefusedInput.
 hydraulics::Parameters load_machine(const std::filesystem::path&, const WarningSink&);
 
 } // namespace placedpar

@@ -34,15 +34,15 @@ struct RunSettings {
     TraceSink* trace = nullptr;                ///< null: no trace
     SearchObserver* observer = nullptr;        ///< null: the searches are not observed
     Checkpoints* checkpoints = nullptr;        ///< null: the searches begin anew, and their states are not kept
-    Interruption* interruption =
-        nullptr;                   ///< null: nothing ends the run early. An interruption can end only one run at a time
+    /// Null: nothing ends the run early. An interruption can end only one run at a time.
+    Interruption* interruption = nullptr;
     RecordedRun* record = nullptr; ///< null: the run is not recorded. REQUIRES: the record is empty
 };
 
 /// Runs the network. Rethrows the exceptions of the processes.
 RunReport run_netlist(const Network&, const ProblemRegistry&, const RunSettings&);
 /// Runs the network with the process kinds of a catalogue (netlist/kinds/catalogue.hpp). The kinds already have an
-/// observer and checkpoints, so those in the settings are ignored.
+/// observer and checkpoints, so the observer and the checkpoints in the settings are ignored.
 RunReport run_netlist(const Network&, const Catalogue&, const RunSettings&);
 /// Repeats a recorded run with another seed, without simulating the machine; this is several times faster. Returns
 /// nothing if a process behaves differently with this seed, or if the run would not complete. If the run is

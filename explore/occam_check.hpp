@@ -23,14 +23,14 @@ struct OccamCheck {
     std::vector<Diagnostic> diagnostics = {};
     std::string not_shown = ""; ///< a line that says how many errors are not in `diagnostics`; "" if none
     bool failed = false;        ///< there are errors, so the program cannot be compiled
-    bool parsed = false;        ///< the text has no errors of syntax, so the program's names have their meanings
+    bool parsed = false;        ///< the text has no errors of syntax, so the meanings of names in `program` are known
     std::shared_ptr<const occam::Configured> configured = {}; ///< null unless a configuration was parsed
 };
 
 /// Reads and checks a program. Files that the program includes are looked for in PlacedPar's libraries and in these
-/// folders. Checks that are off in `wanted` are skipped, as if the text turned them off. A program can include the text
-/// of `standard_input` by `#INCLUDE "standard input"`. `change` is as for occam::check(). The reporter receives the
-/// diagnostics; without a reporter, the result has them.
+/// folders. Skips the checks that `wanted` turns off. A program can include the text of `standard_input` by `#INCLUDE
+/// "standard input"`. `change` is passed to occam::check(). The reporter receives the diagnostics; without a reporter,
+/// the result has them.
 OccamCheck check_occam_source(std::shared_ptr<const SourceFile>, std::vector<std::filesystem::path> folders,
                               const occam::SourceOptions& wanted = {},
                               std::shared_ptr<const SourceFile> standard_input = nullptr,

@@ -129,9 +129,9 @@ void report_errors(const std::vector<Diagnostic>& diagnostics, Reporter& reporte
             reporter.error(each.location, each.message, each.hint, each.others);
 }
 
-/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again: with a
-/// procedure that calls the main procedure, and with the change. This second check reports only errors, since the first
-/// check has reported the warnings.
+/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again. This
+/// time it has a procedure that calls the main procedure, and the change. This second check reports only errors,
+/// because the first check has reported the warnings.
 OccamCheck checked_program(const std::shared_ptr<const SourceFile>& file,
                            const std::vector<std::filesystem::path>& folders, const occam::SourceOptions& wanted,
                            const occam::ChangeDeclaration& change, Reporter& reporter) {
@@ -209,8 +209,8 @@ std::string hint_of_program(const std::string& hint) {
     return hint.starts_with(netlist) ? "in the program its value is" + hint.substr(netlist.size()) : hint;
 }
 
-/// Compiles the program, with the values of the choice, and makes a netlist with one transputer that it boots. Reports
-/// the program's errors and warnings.
+/// Compiles the program, with the VALs that `choose` sets, and makes a netlist with one transputer that the program
+/// boots. Reports the program's errors and warnings.
 MadeNetlist netlist_of_program(const std::shared_ptr<const SourceFile>& file,
                                const std::vector<std::filesystem::path>& folders, const ProgramMachine& machine,
                                const ValChoice& choose, Reporter& reporter) {

@@ -32,9 +32,8 @@ occam::SourceOptions wanted_checks(const OccamOptions&);
 /// Returns whether a file is a program in occam, by its name. A configuration is not a program.
 bool is_occam(const std::filesystem::path&);
 
-/// Returns whether `placedpar run` can run this procedure. It can if the procedure has no parameters, or if the
-/// parameters are the channels of a terminal, or channels to a host, perhaps followed by the free memory. REQUIRES: the
-/// program has no errors.
+/// Returns whether `placedpar run` can run this procedure. Its parameters must be absent, the channels of a terminal,
+/// or channels to a host, perhaps followed by the free memory. REQUIRES: the program has no errors.
 bool can_be_run(const occam::Declaration& procedure);
 
 struct CompiledOccam {
@@ -54,12 +53,12 @@ struct ProgramMachine {
 };
 /// Returns the number of bytes of a size such as 32K or 2M; nothing if the text is not a size.
 std::optional<std::uint64_t> bytes_of_size(const std::string& text);
-/// Returns a netlist with one transputer that the file boots. In mode stop, a process may read beyond the memory just
-/// before it stops; the netlist makes such a read harmless.
+/// Returns a netlist with one transputer that the file boots. In error mode "stop", a process may read beyond the
+/// memory just before it stops. The netlist makes such a read harmless.
 std::string netlist_around(const std::filesystem::path& file, const ProgramMachine&);
 /// Returns a function that makes a netlist from a file in occam. A configuration becomes the netlist that it describes.
-/// A program is compiled for the machine, and becomes a netlist with one transputer, which it boots. Options can set
-/// the VALs at the outermost level of the file. For a program, the function throws UserError if the file has no
+/// A program is compiled for the machine, and becomes a netlist with one transputer, which it boots. The option --set
+/// can set the VALs at the outermost level of the file. For a program, the function throws UserError if the file has no
 /// procedure that can be run, if the memory is too small, or for an unknown check.
 NetlistMaker netlist_maker(const ProgramMachine&);
 /// Throws UserError if the file is a program in occam. The network that netlist_maker() makes of a program cannot be

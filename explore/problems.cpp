@@ -27,7 +27,8 @@ using namespace hydraulics;
 
 namespace {
 
-/// A circuit whose record was made with known compliances.
+/// The problem of finding the compliances of an excavator's hydraulic circuit, in measurements that were simulated with
+/// known compliances.
 struct SimulatedCircuit : CircuitProblem {
     std::vector<double> compliance_in3_per_psi;
 
@@ -44,7 +45,7 @@ ExcavatorScenario boom_of_chapter_3(bool leaking) {
     return scenario;
 }
 
-/// Returns the motion, which is simulated only once, since the seed affects only the noise.
+/// Returns the motion, which is simulated only once, because the seed affects only the noise of the measurements.
 const ExcavatorMotion& motion_of_boom(bool leaking) {
     static const ExcavatorMotion sound = simulate_excavator(boom_of_chapter_3(false));
     static const ExcavatorMotion with_leak = simulate_excavator(boom_of_chapter_3(true));

@@ -28,7 +28,7 @@ using Settings = std::map<std::string, Value>;
 
 std::int64_t integer(std::size_t value) { return static_cast<std::int64_t>(value); }
 
-/// Returns the parameters that make a searching process do what identify() does.
+/// Returns the parameters with which a searching process makes the same search as identify().
 Settings settings_of(const IdentificationWay& way) {
     const SearchSettings& search = way.search;
     return {{"population", integer(search.population)},
@@ -129,9 +129,9 @@ ReadResult read_with(const Settings& settings, const ParsedNetlist& parsed, cons
     return read;
 }
 
-/// Reads the netlist with the settings as defaults. While the value of a parameter in the netlist differs from the
-/// setting with the same name, gives the value of the setting to the constant (`val`) with this name, and reads the
-/// netlist again. Throws RefusedInput if there is no such constant, if an option sets it, or if a difference remains.
+/// Reads the netlist with the settings as defaults. If a parameter in the netlist differs from the setting with the
+/// same name, gives the value of the setting to the constant (`val`) with this name, and reads the netlist again.
+/// Throws RefusedInput if there is no such constant, if an option sets it, or if a difference remains.
 Network load_with(Settings settings, const NetlistAsked& netlist, const ProblemRegistry& problems,
                   const WarningSink& warn) {
     ReadResult read = read_with(settings, netlist.parsed, netlist.overrides, problems);

@@ -13,15 +13,15 @@ namespace placedpar {
 
 /// The best individual of one search in one generation.
 struct SearchAnswer {
-    Time time; ///< virtual time at which the generation was complete
+    Time time; ///< simulated time at which the generation was complete
     double fitness;
     std::vector<double> values; ///< the decoded parameters
 };
 
-/// Keeps the best individual of every generation of the searches of a run, such as the islands of Figure E.2.
+/// Keeps the best individual of every generation of the searches of a run.
 class SearchAnswers final : public SearchObserver {
 public:
-    /// `searches` has the names of the searching processes. REQUIRES: all of them search `problem`.
+    /// `searches` has the names of the searching processes. REQUIRES: all these processes search `problem`.
     SearchAnswers(std::vector<std::string> searches, std::shared_ptr<const SearchProblem> problem);
 
     /// Throws std::invalid_argument for a process that is not in searches().
@@ -39,7 +39,8 @@ public:
     const SearchAnswer& of(std::size_t search, std::size_t generation) const { return answers_[search][generation]; }
     /// Returns the index of the search with the greatest fitness; if several have it, the first.
     std::size_t fittest(std::size_t generation) const;
-    /// Returns the difference between the greatest and the least value that the searches found for this parameter.
+    /// Returns how far the searches disagree: the difference between the greatest and the least value that they found
+    /// for this parameter.
     double spread(std::size_t generation, std::size_t parameter) const;
     /// Returns the time at which the last of the searches had completed the generation.
     Time ready(std::size_t generation) const;

@@ -12,15 +12,16 @@
 
 namespace placedpar {
 
-/// Returns the errors of each island's best individual, from which an IslandChoice chooses. `windows`: the length of
-/// each island's window in samples. REQUIRES: bests.size() == windows.size() > 0, and no window is longer than
-/// `samples`.
+/// Returns the errors of each island's best individual. IslandChoice, the rule that picks one island, compares these
+/// errors. `windows`: for each island, the number of newest samples over which it evaluates its individuals. REQUIRES:
+/// bests.size() == windows.size() > 0, and no window is longer than `samples`.
 ErrorsOfBest errors_of_best(const SearchProblem& problem, std::span<const Individual> bests,
                             std::span<const std::size_t> windows, std::span<const Sample> samples);
 
-/// Whenever the islands broadcast their best individuals, chooses one of these individuals as the answer of all
-/// islands. The answer stays until the next broadcast (thesis 5.3.2: "output the estimated parameters at the
-/// broadcasting frequency"). The islands themselves are not affected.
+/// Gives one answer for several islands whose windows (the newest samples of the measurements) have different lengths.
+/// Whenever the islands broadcast their best individuals, it chooses one of these individuals as the answer. The answer
+/// stays until the next broadcast (thesis 5.3.2: "output the estimated parameters at the broadcasting frequency"). The
+/// choice does not change the islands.
 class ActiveErrorAnalysis {
 public:
     /// `windows`: the length of each island's window in samples. REQUIRES: `problem` outlives the analysis.
@@ -28,8 +29,8 @@ public:
                         RandomStream random);
 
     /// Chooses the answer. `bests`: the best individual of each island. `samples`: the samples so far, oldest first.
-    /// Throws what IslandChoice throws. REQUIRES: bests.size() is the number of islands, and no window is longer than
-    /// `samples`.
+    /// Throws what the IslandChoice throws. REQUIRES: bests.size() is the number of islands, and no window is longer
+    /// than `samples`.
     void analyse(std::span<const Individual> bests, std::span<const Sample> samples);
 
     /// Returns the island that the last analyse() chose. REQUIRES: analyse() was called.

@@ -9,7 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds the coordinate `which` to the spread. It is 1 for `count` individuals and 0 for the others.
+/// Adds the coordinate `which` to the spread (the population as points in space). The coordinate is 1 for `count`
+/// individuals and 0 for the others.
 void add_count(Spread& spread, std::uint64_t which, std::uint64_t count) {
     auto individuals = static_cast<double>(spread.individuals), ones = static_cast<double>(count);
     spread.centre.push_back({which, ones / individuals});
@@ -88,7 +89,7 @@ std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Pe
 }
 
 /// Computes the spread of tours. The squared distance of two tours is the number of pairs of neighbours that only one
-/// of them has. This is twice Representation::distance().
+/// of the two tours has, which is twice Representation::distance().
 Spread spread_of_tours(std::span<const Genome> population, const Permutation& permutation) {
     Spread spread{StringKind::permutation, 2 * static_cast<double>(permutation.places()), population.size()};
     auto pairs = neighbours_in(population, permutation);
@@ -111,8 +112,8 @@ public:
     explicit CentresInStep(std::span<const Spread> populations)
         : populations_(populations), next_(populations.size(), 0), means_(populations.size()) {}
 
-    /// Moves to the next coordinate that Spread::centre of at least one population lists; elsewhere the coordinate is
-    /// 0. Returns false if there are no more coordinates.
+    /// Moves to the next coordinate that is in Spread::centre of at least one population. In the other populations this
+    /// coordinate is 0. Returns false if there are no more coordinates.
     bool step() {
         constexpr auto none = std::numeric_limits<std::uint64_t>::max();
         std::uint64_t which = none;
@@ -153,8 +154,8 @@ double diversity_within(const Spread& population) {
 
 /// Computes the mean squared distance of two individuals from different populations, a sum of three terms. The first
 /// two terms are, for each of the two populations, the mean squared distance of its individuals from its centre. The
-/// third term is the squared distance of the two centres. The mean of the third term over all pairs of populations is
-/// computed without a loop over pairs, from the distances of the centres from the mean of all centres.
+/// third term is the squared distance of the two centres. The mean of the third term over all pairs of populations
+/// follows, without a loop over pairs, from the distances of the centres from their mean.
 double diversity_between(std::span<const Spread> populations) {
     auto count = static_cast<double>(populations.size());
     double from_own = 0, of_centres = 0;

@@ -10,22 +10,23 @@
 
 namespace placedpar {
 
-// Diversity is the mean Representation::distance() of two individuals, divided by the greatest possible distance. It is
-// 0 if all individuals are equal, and at most 1. For real vectors, the root mean square distance replaces the mean. The
-// table shows what diversity measures, and the expected value for random individuals; n is the number of places of a
-// permutation:
+// Diversity says how different the individuals of a population are: 0 if all are equal, at most 1. It is the mean
+// Representation::distance() of two individuals, divided by the greatest possible distance. For real vectors, the root
+// mean square distance replaces the mean distance. The table shows what diversity measures for each kind of string, and
+// the expected value for random individuals. A permutation has n places:
 //
 //     binary strings   fraction of bits in which they differ                                               1/2
 //     real vectors     root of the mean square distance of their numbers, in widths of the ranges      1/sqrt(6)
 //     permutations     fraction of neighbours in one closed tour that are not neighbours in the other  1 - 2/(n - 1)
 //
 // For binary strings, diversity_within() is the nucleotide diversity of Nei and Li (1979), with bits as sites, and
-// diversity_between() of two populations is their d_XY. For real vectors we chose the root mean square. Then, for all
-// three kinds of strings, the diversity follows from the centre of each population and the distances from the centre,
-// without a loop over pairs.
+// diversity_between() of two populations is their d_XY. For real vectors PlacedPar uses the root mean square. Then the
+// diversity of all three kinds of strings follows from the centre of each population and the distances from this
+// centre, without a loop over pairs.
 
-/// A population as points in space. For binary strings and permutations, the squared distance of two points is
-/// proportional to Representation::distance(); for real vectors, to its square.
+/// Describes a population as points in space, from which the functions below compute the diversity. For binary strings
+/// and permutations, the squared distance of two points is proportional to Representation::distance(); for real
+/// vectors, to its square.
 struct Spread {
     /// A coordinate of a string: a bit (0 or 1), a number as a fraction of its range, or whether two places are
     /// neighbours in the tour (0 or 1).
@@ -36,7 +37,7 @@ struct Spread {
     StringKind kind;
     double greatest; ///< greatest possible squared distance of two individuals
     std::size_t individuals;
-    std::vector<Coordinate> centre = {}; ///< mean of the individuals; omits bits and pairs that are 0 in all of them
+    std::vector<Coordinate> centre = {}; ///< mean of the individuals; omits coordinates that are 0 in all individuals
     double squares = 0;                  ///< sum of the squared distances of the individuals from the centre
 };
 
@@ -50,11 +51,11 @@ double diversity_within(const Spread& population);
 /// same weight. REQUIRES: at least two populations, none empty, all of the same representation.
 double diversity_between(std::span<const Spread> populations);
 
-/// Returns 1 - `within` / `between`, the fraction of the diversity that is due to differences between populations; 0 if
-/// `between` is 0. `within` is the mean of diversity_within(), `between` is diversity_between(). For binary strings,
-/// the result is the F_ST of Hudson, Slatkin and Maddison (1992). The result is near 0, perhaps slightly negative, if
-/// the populations are samples of one population. It is 1 if the individuals of each population are equal and the
-/// populations differ.
+/// Returns 1 - `within` / `between`: the fraction of the diversity that is due to differences between populations.
+/// Returns 0 if `between` is 0. `within` is the mean of diversity_within() over the populations, `between` is
+/// diversity_between(). For binary strings, the result is the F_ST of Hudson, Slatkin and Maddison (1992). If the
+/// populations are samples of one population, the result is near 0, perhaps slightly negative. If each population
+/// consists of equal individuals and the populations differ, the result is 1.
 double fixation(double within, double between);
 
 } // namespace placedpar

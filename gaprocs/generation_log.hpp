@@ -16,30 +16,33 @@ namespace placedpar {
 
 class Checkpoints; // gaprocs/checkpoints.hpp
 
-/// A generation of one search, or of all searches together. For a problem with an objective, the values of the
-/// objective are logged, not the fitness: if the objective is minimised, the best value is the least. An objective that
-/// is not a finite number is logged as the infinity that is worst for the goal: minus infinity if the objective is
-/// maximised.
+/// A generation of one search, or of all searches together. For a problem with an objective, the log has the values of
+/// the objective instead of the fitness. So if the objective is minimised, the best value is the least. An objective
+/// that is not a finite number is logged as the worst value: plus infinity if the objective is minimised, minus
+/// infinity if it is maximised.
 struct LoggedGeneration {
     std::optional<Time> time; ///< time of the generation; for all searches together, the latest of their times
-    double best_so_far;       ///< best value of `best` up to this generation; if the window moves, the compared fitness
-                              ///< values come from different windows
+    double best_so_far;       ///< best value of `best` up to this generation. If the window of measurements moves, this
+                              ///< compares fitness values from different windows
     double best, mean;        ///< fitness or objective; `mean` omits values that are not finite
-    double diversity;         ///< diversity_within(); for all searches together, the mean over the searches
-    double between = 0;       ///< diversity_between(); only for all searches together
+    double diversity;         ///< how different the individuals of a search are (diversity_within()); for all searches
+                              ///< together, the mean over the searches
+    double between = 0; ///< how different individuals of different searches are (diversity_between()); only for all
+                        ///< searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
 };
 
 struct LoggedMigration {
     std::uint64_t generation;
-    std::size_t from, to; ///< numbers of the searches between which the individual moved
+    std::size_t from, to; ///< numbers of the two searches
     std::optional<Time> time;
     double fitness;
     bool accepted;
 };
 
-/// An answer of an analyst: the best individual of the search that it chose.
+/// An answer of an analyst, a process that chooses one of several searches. The answer is the best individual of the
+/// chosen search.
 struct LoggedAnswer {
     std::uint64_t generation;
     std::string analyst;
@@ -61,15 +64,15 @@ struct LogRow {
     friend bool operator==(const LogRow&, const LogRow&) = default;
 };
 
-/// Records every generation of the searches of a run.
+/// Records every generation of the searches of a run, for tables and plots of convergence.
 class GenerationLog : public SearchObserver {
 public:
     /// `searches`: names of the searches, in the order of the log. `comparable`: whether all searches solve the same
     /// problem. If not, the log has no generations of all searches together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Makes LoggedGeneration::best_so_far include the generations before the checkpoints from which the run continues.
-    /// REQUIRES: no generation was observed.
+    /// Makes best_so_far include the generations before the checkpoints from which the run continues. REQUIRES: no
+    /// generation was observed.
     void continue_from(const Checkpoints&);
 
     /// The three functions observe() throw std::invalid_argument for a search that is not in the log.
@@ -85,7 +88,7 @@ public:
     /// Returns the generations of a search, beginning with generation number first().
     std::span<const LoggedGeneration> of(std::size_t search) const { return generations_.at(search); }
     /// Returns an entry for each generation that all searches have completed. The entry combines the values of all
-    /// searches. Returns nothing unless compares().
+    /// searches. Empty if compares() is false.
     std::span<const LoggedGeneration> of_all() const { return all_; }
     /// Returns the migrations. Migrations to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
@@ -94,12 +97,12 @@ public:
 
     /// Returns whether the search minimises an objective; false before the first generation.
     bool minimises(std::size_t search) const { return goals_.at(search) == Goal::minimise; }
-    /// Returns whether the search has an objective instead of a record; false before the first generation.
+    /// Returns whether the search has an objective instead of measurements; false before the first generation.
     bool has_objective(std::size_t search) const { return goals_.at(search).has_value(); }
 
-    /// Returns the rows, sorted by generation and then by search; "all" and the analysts come last in a generation. The
-    /// rows do not depend on the order in which the searches called observe(). REQUIRES: the log outlives the rows,
-    /// which refer to strings of the log.
+    /// Returns the whole log as rows, sorted by generation and then by search. Within a generation, "all" and the
+    /// analysts come last. The rows do not depend on the order of the calls of observe(). REQUIRES: the log outlives
+    /// the rows, which refer to strings of the log.
     std::vector<LogRow> rows() const;
 
 private:

@@ -147,7 +147,7 @@ bool Islands::ready() const {
     return false;
 }
 
-/// Sets which islands make the next generation.
+/// Finds out which islands make the next generation: islands that are ready and need not skip it.
 void Islands::choose_islands() {
     for (std::size_t i = 0; i < searches_.size(); ++i)
         made_[i] = ready(i) && (progress_.empty() || !progress_[i]->passes_over());

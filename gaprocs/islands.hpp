@@ -24,11 +24,11 @@ namespace placedpar {
 
 class SearchProgress; // gaprocs/search_progress.hpp
 
-/// The settings of several islands. By default they form a ring: after every third generation the best individual of
-/// each island replaces the worst individual of the next island.
+/// The settings of several islands, that is, searches that exchange individuals. By default they form a ring: after
+/// every third generation the best individual of each island replaces the worst individual of the next island.
 struct IslandsSettings {
-    /// The settings of each island. All islands must have the same number of generations per sample
-    /// (WindowSettings::trials).
+    /// The settings of each island. All islands must make the same number of generations (WindowSettings::trials) after
+    /// each sample of measurements.
     std::vector<SearchSettings> islands;
     Topology topology;
     Schedule schedule;
@@ -36,12 +36,13 @@ struct IslandsSettings {
     Acceptance acceptance;
 
     /// Throws the UserErrors of SearchSettings::validate(), WindowSettings::validate_for(), Topology::neighbours(),
-    /// Emigration::validate_for() and Acceptance::validate_for(). Throws a UserError also if a policy's number is out
-    /// of range, or if islands have different numbers of generations per sample.
+    /// Emigration::validate_for() and Acceptance::validate_for(). Throws a UserError also if a number of a policy (such
+    /// as the topology or the schedule) is out of range, or if islands make different numbers of generations per
+    /// sample.
     void validate_for(std::size_t record_length) const;
-    /// Returns a warning if the islands form several parts without any exchange between the parts, or if the
-    /// individuals of some island can never reach some other island of its part. Such a topology is allowed, but
-    /// probably not intended. Otherwise returns "". Throws what Topology::neighbours() throws.
+    /// Returns a warning about a topology that is allowed, but probably not intended; otherwise "". In such a topology
+    /// the islands form several parts that exchange nothing with each other, or individuals of some island never reach
+    /// some other island of its part. Throws what Topology::neighbours() throws.
     std::string warning() const;
 };
 
@@ -49,8 +50,8 @@ struct IslandsSettings {
 struct Migration {
     std::uint64_t generation; ///< number of the generation after which the individual leaves, from 1
     std::size_t from, to;
-    /// The string of the individual, with its fitness in the window of the new island. With OffspringAcceptance, it is
-    /// the fitness in the window of the old island, because the new island evaluates the individual one generation
+    /// The string of the individual, with its fitness in the window of the new island. With OffspringAcceptance, the
+    /// fitness is for the window of the old island, because the new island evaluates the individual one generation
     /// later.
     Individual individual;
     std::optional<std::size_t> place; ///< index of the replaced individual; nothing if the immigrant is rejected
@@ -63,19 +64,20 @@ struct Migration {
 /// immigrant's fitness was computed in this island's window.
 void accept_and_breed(Search&, std::span<double> fitness, std::span<Migration> arrivals, const Acceptance&);
 
-/// Runs several searches over the same record. In each generation, first all islands are evaluated and their emigrants
-/// chosen; then each island accepts its immigrants and breeds. An island accepts immigrants in the order of the numbers
-/// of the islands from which they come. The result does not depend on the order in which the islands are computed,
-/// because each island draws from its own random stream. The islands of a connected part begin together, when all of
-/// them have enough samples.
+/// Runs several searches (islands) over the same record of measurements, without simulating the machine that they run
+/// on. In each generation, first all islands are evaluated and their emigrants chosen; then each island accepts its
+/// immigrants and breeds. An island accepts immigrants in the order of the numbers of the islands from which they come.
+/// The result does not depend on the order in which the islands are computed, because each island draws from its own
+/// random stream. Unless the schedule is asynchronous, islands that exchange with each other, directly or through other
+/// islands, begin together, when each of them has enough samples for a generation.
 ///
-/// An immigrant is evaluated again in the window of its new island. If both islands have the same window, the fitness
-/// does not change, because sums of fitness are exact (gaprocs/fitness.hpp). Immigrants among the offspring are
-/// evaluated one generation later.
+/// An island's window is the newest samples, over which it evaluates individuals. An immigrant is evaluated again in
+/// the window of its new island. If both islands have the same window, the fitness does not change, because sums of
+/// fitness are exact (gaprocs/fitness.hpp). With OffspringAcceptance, immigrants are evaluated one generation later.
 ///
-/// With the asynchronous schedule, no island waits for another. This class has no simulated time, so the islands take
-/// turns in each generation, island 0 first: an island evaluates, sends emigrants, accepts the immigrants sent so far,
-/// and breeds.
+/// With the asynchronous schedule, no island waits for another. Because this class has no simulated time, the islands
+/// take turns in each generation, island 0 first. In its turn an island evaluates, sends emigrants, accepts the
+/// immigrants sent so far, and breeds.
 class Islands {
 public:
     /// `streams`: one random stream for each island. REQUIRES: `problem` outlives the islands. Throws what
@@ -83,20 +85,21 @@ public:
     /// the record. Throws std::invalid_argument if the number of streams differs from the number of islands.
     Islands(const SearchProblem& problem, IslandsSettings settings, std::vector<RandomStream> streams);
 
-    /// Reports all further generations and migrations to the observer, with the names of island_names(). REQUIRES: the
-    /// observer outlives the islands.
+    /// Reports all further generations and migrations to the observer. The islands have the names of island_names().
+    /// REQUIRES: the observer outlives the islands.
     void observe_by(SearchObserver& observer);
 
-    /// Continues from the checkpoints, and stores new checkpoints, with the names of island_names(). Throws what the
-    /// constructor of SearchProgress throws. REQUIRES: called before the first next_generation(); the checkpoints
-    /// outlive the islands.
+    /// Continues from the checkpoints, and stores new checkpoints. The islands have the names of island_names(). Throws
+    /// what the constructor of SearchProgress throws. REQUIRES: called before the first next_generation(); the
+    /// checkpoints outlive the islands.
     void keep_by(Checkpoints& checkpoints);
 
     void push(const Sample& sample);
     /// Returns whether this island, and all islands that begin together with it, have enough samples for a generation.
     bool ready(std::size_t island) const;
     bool ready() const;
-    /// Makes one generation of each island that is ready, or skips the generation if an earlier run has made it.
+    /// Makes one generation of each island that is ready. Skips a generation that an earlier run, from whose checkpoint
+    /// this run continues, has already made.
     void next_generation();
     /// Returns whether the last next_generation() made a generation of this island.
     bool has_made(std::size_t island) const { return made_[island]; }
@@ -121,8 +124,8 @@ private:
     const SearchProblem& problem_;
     IslandsSettings settings_;
     Neighbours neighbours_;
-    std::vector<std::vector<std::size_t>>
-        in_step_; ///< for each island, the islands that begin together with it, including itself
+    /// For each island, the islands that begin together with it, including itself.
+    std::vector<std::vector<std::size_t>> in_step_;
     std::vector<SlidingWindow> windows_;
     std::vector<Search> searches_;
     std::vector<std::vector<double>> fitness_; ///< fitness_[island][individual] in the current generation
@@ -148,7 +151,8 @@ struct IslandsResult {
 IslandsResult run_islands(const SearchProblem& problem, std::span<const Sample> record, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
                           Checkpoints* checkpoints = nullptr);
-/// Runs the islands on a problem with an objective. Each island gives one estimate for each generation.
+/// Runs the islands on a problem with an objective, which needs no measurements. Each island gives one estimate for
+/// each generation.
 IslandsResult run_islands(const SearchProblem& problem, std::size_t generations, const IslandsSettings& settings,
                           std::vector<RandomStream> streams, SearchObserver* observer = nullptr,
                           Checkpoints* checkpoints = nullptr);

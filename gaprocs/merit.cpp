@@ -11,8 +11,8 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-/// Returns whether `a` comes before `b` in an order in which each individual comes before all individuals that it
-/// dominates.
+/// Returns whether `a` comes before `b` in the order by costs, or by violation. In this order each individual comes
+/// before all individuals that it dominates.
 bool comes_before(const Merit& a, const Merit& b) {
     if (a.feasible != b.feasible)
         return a.feasible;
@@ -36,10 +36,11 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
     return front;
 }
 
-/// Adds one cost's part to the crowding distance of each individual of the front: the difference of this cost between
-/// the individual's two neighbours, as a fraction of the range of the cost in the front. The distance of the
-/// individuals with the lowest and the highest cost is infinite. If the range is too large for a double, adds nothing
-/// to the distances of the other individuals.
+/// Adds the part of one cost to the crowding distance of each individual of the front, by which NSGA-II prefers
+/// individuals with distant neighbours. This part is the difference of this cost between the individual's two
+/// neighbours, as a fraction of the range of the cost in the front. The distance of the individuals with the lowest and
+/// the highest cost is infinite. If the range is too large for a double, adds nothing to the distances of the other
+/// individuals.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

@@ -20,33 +20,35 @@
 
 namespace placedpar {
 
-// An objective problem rates each individual by one number. It is a plain struct such as
+// An objective problem rates each individual by one number, the objective, without any measurements. The problem is a
+// plain struct such as
 //
 //     struct Sphere {
 //         ParameterCoding representation() const { return ParameterCoding(3, {-5.12, 5.12, 16}); }
 //         double objective(std::span<const double> x) const { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; }
 //     };
 //
-// and minimise(Sphere{}) makes it a SearchProblem. The argument of objective() depends on the type of representation():
-// std::span<const double> for a ParameterCoding or a RealVector, const Genome& for a BitString, std::span<const
-// std::size_t> for a Permutation. With a ParameterCoding, the search may breed either bits or real numbers: see
-// gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so objective() may
-// return infinity for an individual that is not allowed.
+// and minimise(Sphere{}) returns a SearchProblem, which a search can solve. The argument of objective() depends on the
+// type of representation(): std::span<const double> for a ParameterCoding or a RealVector, const Genome& for a
+// BitString, std::span<const std::size_t> for a Permutation. With a ParameterCoding, the search may breed either bits
+// or real numbers: see gaprocs/policies/coding.hpp. An objective that is infinite or NaN is worse than every other, so
+// objective() may return infinity for an individual that is not allowed.
 //
 // A problem may also have a function constraints() with the same argument. It returns one number for each constraint;
-// the number is at most 0 if the constraint is satisfied. An equation h(x) = 0 is stated as |h(x)| - tolerance. The sum
-// of the numbers above 0 is the violation. Every feasible individual (without violation) is better than every
+// the number is at most 0 if the constraint is satisfied. For an equation h(x) = 0 it returns |h(x)| - tolerance. The
+// sum of the numbers above 0 is the violation. Every feasible individual (with violation 0) is better than every
 // infeasible individual. Of two infeasible individuals, the individual with the lesser violation is better (K. Deb,
-// 2000). So while no individual of a population is feasible, selection first reduces the violation. If a penalty is
-// given, these rules do not apply: the violation times the penalty is added to the objective, or subtracted if the
-// objective is maximised. NaN is the greatest violation.
+// 2000). So as long as no individual of a population is feasible, selection reduces the violation. A penalty above 0
+// replaces these rules: the violation times the penalty is added to the objective, or subtracted if the objective is
+// maximised. NaN is the greatest violation.
 //
 // A problem with several objectives has the functions objectives(), in place of objective(), and objective_names(). All
 // objectives are minimised, or all are maximised.
 
 /// An objective problem has the functions representation() and objective(). The argument of objective() is the result
-/// of representation().decode(). The problem may also have parameter_names() and parameter_units(), by default "x_1",
-/// "x_2", ... without units; objective_unit(); and optimum(), the best possible objective.
+/// of representation().decode(). The problem may also have the functions parameter_names(), parameter_units(),
+/// objective_unit() and optimum(), the best possible objective. By default the parameters are "x_1", "x_2", ... without
+/// units.
 template <typename P>
 concept StatesOneObjective = requires(const P& problem, const Genome& genome) {
     { problem.objective(problem.representation().decode(genome)) } -> std::convertible_to<double>;
@@ -212,7 +214,8 @@ private:
 };
 
 /// Make a search problem whose objective is minimised or maximised. They throw what P::representation() throws.
-/// `penalty`: how much worse each unit of violation makes the objective; 0: Deb's rules, see the top of this file.
+/// `penalty`: how much worse each unit of violation makes the objective; 0: feasible individuals are always better (see
+/// the top of this file).
 template <StatesObjective P>
 std::shared_ptr<const SearchProblem> minimise(P problem, double penalty = 0) {
     return std::make_shared<ObjectiveProblemOf<P>>(std::move(problem), Goal::minimise, penalty);

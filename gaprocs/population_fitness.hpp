@@ -16,12 +16,12 @@
 
 namespace placedpar {
 
-/// Sets sums[i] to the sum of individual i's terms over the samples. Computes several individuals at once.
-/// `parameters_from.operator()<width>(i)` returns the parameters of individual i and the following individuals, as a
-/// container of Lanes. `terms(parameters)` takes these parameters as a std::span of Lanes. It returns a function that
-/// is called with one sample after another, and that returns the terms of this sample. The sums have the same bits as
-/// in a loop over single individuals, because an operation on Lanes rounds like the same operation on a double
-/// (runtime/vector_width.hpp).
+/// Sets sums[i] to the sum of individual i's terms over the samples. For speed, computes several individuals at once,
+/// each in one lane of a vector register (type Lanes). `parameters_from.operator()<width>(i)` returns the parameters of
+/// individual i and the following individuals, as a container of Lanes. `terms(parameters)` takes these parameters as a
+/// std::span of Lanes, and returns a function. This function is called with one sample after another, and returns the
+/// terms of the sample. The sums are the same, bit for bit, as in a loop over single individuals, because operations on
+/// Lanes and on double round alike (runtime/vector_width.hpp).
 template <typename ParametersFrom, typename Samples, typename Terms>
 void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& samples, const Terms& terms,
                        std::span<double> sums) {
@@ -34,7 +34,7 @@ void sum_in_lanes_from(const ParametersFrom& parameters_from, const Samples& sam
             for (const auto& sample : samples)
                 sum += term(sample);
             const auto found = sum.numbers();
-            if (sums.size() - first >= Several::count) // a length that the compiler knows makes the loop faster
+            if (sums.size() - first >= Several::count) // copying a length known to the compiler is faster
                 std::memcpy(&sums[first], found.data(), sizeof found);
             else
                 std::copy_n(found.begin(), sums.size() - first, &sums[first]);
@@ -72,9 +72,10 @@ void sum_in_lanes(const ParametersOf& parameters_of, const Samples& samples, con
     sum_terms_in_lanes(parameters_of, samples, terms, sums);
 }
 
-/// A problem that states its error as a function of parameters, so that several individuals can be evaluated at once.
-/// `parameters_of(string)` decodes the parameters into an array or a vector, whose length is the same for all strings.
-/// `error_of<T>(parameters, sample)` returns the error. T is double for one individual, and Lanes<width> for several.
+/// A problem whose error is a function of decoded parameters. Several individuals of such a problem can be evaluated at
+/// once. `parameters_of(string)` decodes the parameters into an array or a vector, whose length is the same for all
+/// strings. `error_of<T>(parameters, sample)` returns the error. T is double for one individual, and Lanes<width> for
+/// several.
 template <typename P, typename G>
 concept ErrorOfParameters = requires(const P& problem, const G& genome, std::span<const Lanes<2>> parameters,
                                      std::span<const double> sample) {
@@ -84,16 +85,16 @@ concept ErrorOfParameters = requires(const P& problem, const G& genome, std::spa
 
 /// A problem whose error at a sample depends on the earlier samples of the window, as in a simulation.
 /// `errors_along<T>(parameters)` returns a function that is called with one sample of a window after another, oldest
-/// first, and returns the error at the sample. `parameters_of` is as for ErrorOfParameters. `error_of` returns the
-/// error at the first sample of a window.
+/// first, and returns the error at the sample. The problem also has `parameters_of` and `error_of` of
+/// ErrorOfParameters; `error_of` returns the error at the first sample of a window.
 template <typename P>
 concept ErrorAlongWindow = requires(const P& problem, std::span<const double> parameters,
                                     std::span<const double> sample) {
     { problem.template errors_along<double>(parameters)(sample) } -> std::convertible_to<double>;
 };
 
-/// Returns a function that is called with one sample of a window after another, oldest first, and returns the error at
-/// the sample.
+/// Returns a function for problems of both kinds. It is called with one sample of a window after another, oldest first,
+/// and returns the error at the sample.
 template <typename T, typename P>
 [[gnu::always_inline]] inline auto errors_along(const P& problem, std::span<const T> parameters) {
     if constexpr (ErrorAlongWindow<P>)
@@ -104,22 +105,23 @@ template <typename T, typename P>
         };
 }
 
-/// A problem that can decode several strings at once: `parameters_of_several(strings)` takes StringsInLanes and returns
-/// the parameters as Lanes.
+/// A problem that can decode several strings at once: `parameters_of_several(strings)` takes StringsInLanes (strings
+/// side by side in vector registers) and returns the parameters as Lanes.
 template <typename P, bool gray>
 concept ParametersOfSeveral = requires(const P& problem, const StringsInLanes<2, gray>& strings) {
     { problem.parameters_of_several(strings)[0] } -> std::convertible_to<Lanes<2>>;
 };
 
-/// A problem that can prepare a sample once for all individuals: `error_of<T>(parameters, prepared(sample))` returns
-/// the error at the sample.
+/// A problem that does the calculations common to all individuals only once for each sample: prepared(sample) returns
+/// their result. `error_of<T>(parameters, prepared(sample))` returns the error at the sample.
 template <typename P>
 concept PreparesSamples = requires(const P& problem, std::span<const Lanes<2>> parameters,
                                    std::span<const double> sample) {
     { problem.template error_of<Lanes<2>>(parameters, problem.prepared(sample)) } -> std::convertible_to<Lanes<2>>;
 };
 
-/// Computes the fitness of each string over `samples`, which may have been prepared (PreparesSamples).
+/// Computes the fitness of each string over `samples`. For a problem that PreparesSamples, these are the results of
+/// prepared().
 template <bool gray, typename P, typename Samples>
 void fitness_over(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                   std::span<double> fitness) {
@@ -139,8 +141,8 @@ void fitness_over(const P& problem, std::span<const Genome> population, const Sa
                        terms, fitness);
 }
 
-/// Computes the fitness of each string over the samples. The results have the same bits as if one individual were
-/// evaluated at a time. REQUIRES: every string has problem.bits() bits; fitness.size() == population.size().
+/// Computes the fitness of each string over the samples. The results are the same, bit for bit, as from evaluating one
+/// individual at a time. REQUIRES: every string has problem.bits() bits; fitness.size() == population.size().
 template <bool gray, typename P, typename Samples>
 void fitness_in_lanes(const P& problem, std::span<const Genome> population, const Samples& samples, double bias,
                       std::span<double> fitness) {

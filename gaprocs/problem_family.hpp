@@ -11,10 +11,11 @@
 
 namespace placedpar {
 
-/// Settings that suit a record. PlacedPar warns about a netlist with other settings.
+/// Settings with which a search can find the parameters of a record of measurements. PlacedPar warns about a netlist
+/// with other settings.
 struct RecordAdvice {
-    std::size_t trials = 0; ///< number of generations per sample for which the record was made; 0: any number suits
-    double bias = 0;        ///< suitable B of eq. 3.9; 0: the default suits
+    std::size_t trials = 0; ///< suitable number of generations after each sample; 0: any number suits
+    double bias = 0;        ///< suitable B of eq. 3.9, fitness = sum of B - error^2; 0: the default suits
 };
 
 /// A record of measurements that is made only when it is needed, for example by a simulation.
@@ -25,16 +26,17 @@ struct RecordToMake {
 };
 
 /// Problems that share a name and differ in their numbers, such as "sphere(dimensions = 3, bits = 16)". minimised() and
-/// maximised() make a family of objective problems from a struct that has `name`, `about` and numbers(), as a policy
-/// has. The struct is itself an objective problem (gaprocs/objective_problem.hpp), or its function problem() returns
-/// one. If the problem has constraints, the family has one more number, `penalty`.
+/// maximised() make a family from a struct that has `name`, `about` and numbers(), like a policy
+/// (gaprocs/policies/policy.hpp). The struct is itself an objective problem, rated by a formula instead of measurements
+/// (gaprocs/objective_problem.hpp), or its function problem() returns an objective problem. If the problem has
+/// constraints, the family has one more number, `penalty`.
 struct ProblemFamily {
     PolicyDescription description;
     /// Makes the problem. REQUIRES: `numbers` has a value in range for each number of the description. Throws what the
     /// constructor or representation() of the problem throws.
     std::function<std::shared_ptr<const SearchProblem>(const std::vector<double>& numbers)> make;
-    /// Returns the record of the problem, which RecordToMake::make() makes when it is needed. Null for objective
-    /// problems. REQUIRES: what `make` requires.
+    /// Returns how to make the record of the problem when it is needed. Null for objective problems. REQUIRES: what
+    /// `make` requires.
     std::function<RecordToMake(const std::vector<double>& numbers)> record = nullptr;
 };
 

@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// A search problem with its record of measurements; the record of an objective problem is empty. Not thread-safe: the
-/// first call of record() may make the record.
+/// A search problem with its record of measurements; the record of an objective problem is empty. Not thread-safe,
+/// because the first call of record() may make the record.
 class RecordedProblem {
 public:
     /// Throws what require_channels() throws, and std::invalid_argument if an objective problem has a record.
@@ -27,9 +27,9 @@ public:
     /// Returns the length of the record without making it.
     std::size_t samples() const { return samples_; }
     const RecordAdvice& advice() const { return advice_; }
-    /// Returns the samples, oldest first. If this was constructed with a RecordToMake, the first call makes the record.
-    /// That call throws what the constructor with a record throws, and UserError if the number of samples differs from
-    /// RecordToMake::samples.
+    /// Returns the samples, oldest first. If the object was constructed with a RecordToMake, the first call makes the
+    /// record. This first call throws what the constructor with a record throws, and UserError if the number of samples
+    /// differs from RecordToMake::samples.
     const std::vector<Sample>& record() const;
 
 private:
@@ -42,15 +42,15 @@ private:
     mutable std::vector<Sample> record_;
 };
 
-/// Reads problems from files.
+/// Reads problems from files of one format.
 struct ProblemReader {
     std::string about; ///< one line
     /// Returns the problem in the file. Throws UserError for a file that cannot be read.
     std::function<std::shared_ptr<const SearchProblem>(const std::string& file)> read;
 };
 
-/// The problems that a netlist may name, as in `problem = "boom"`. The registry is filled before a run. find() does not
-/// make a record; the first RecordedProblem::record() does.
+/// The problems that a netlist may name, as in `problem = "boom"`. The program adds all problems before a run. find()
+/// does not make a record; the first RecordedProblem::record() makes it.
 class ProblemRegistry {
 public:
     /// Add a problem. `record`: the samples, or how to make them. Throw std::invalid_argument for an empty or repeated
@@ -58,12 +58,13 @@ public:
     void add(std::string name, std::shared_ptr<const SearchProblem> problem, std::vector<Sample> record = {});
     void add_to_make(std::string name, std::shared_ptr<const SearchProblem> problem, RecordToMake record);
 
-    /// Adds a family of problems. The first find() with a problem's numbers makes the problem: "sphere", "sphere(3)",
-    /// "sphere(bits = 20)". Throws std::invalid_argument for an empty or repeated name.
+    /// Adds a family, that is, problems that differ in their numbers: "sphere", "sphere(3)", "sphere(bits = 20)". The
+    /// first find() with the numbers of a problem makes this problem. Throws std::invalid_argument for an empty or
+    /// repeated name.
     void add(ProblemFamily family);
 
-    /// Adds a reader. The first find() of "format:FILE" reads the file; a relative path is relative to the working
-    /// directory.
+    /// Adds a reader of files. The first find() of "format:FILE" reads the file; a relative path is relative to the
+    /// working directory.
     void add_reader(std::string format, ProblemReader reader);
 
     /// Returns the problem. Throws UserError if the name is unknown (the message lists the names), or if the numbers of

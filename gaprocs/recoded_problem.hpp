@@ -10,13 +10,14 @@
 
 namespace placedpar {
 
-/// Adapts a problem to a search whose strings differ from the strings that the problem reads. The bred strings may have
-/// fewer bits, or may be relative to a moving bias point.
+/// Adapts a problem to a search whose strings differ from the strings that the problem reads, such as the coarse and
+/// the fine search of a pair. The bred strings may have fewer bits, or may be relative to a bias point, a string that
+/// moves from generation to generation.
 class RecodedProblem final : public AdaptedProblem {
 public:
-    /// Uses `problem` in natural binary. Throws what Recoding::validate() and SearchProblem::coded() throw. Throws
-    /// UserError if the problem's strings are not binary, if Recoding::problem_bits do not add up to their length, or
-    /// if the problem states other fields.
+    /// Makes `problem` read its strings in natural binary. Throws what Recoding::validate() and SearchProblem::coded()
+    /// throw. Throws UserError if the problem's strings are not binary, if Recoding::problem_bits do not add up to
+    /// their length, or if the problem's own fields differ from Recoding::problem_bits.
     RecodedProblem(const SearchProblem& problem, Recoding recoding);
 
     /// Sets the bias point, Recoding::around. REQUIRES: the problem can read the string `around`.

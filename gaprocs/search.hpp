@@ -24,25 +24,27 @@ namespace placedpar {
 struct SearchState {
     std::uint64_t generation = 0; ///< number of generations evaluated
     std::uint64_t redraws = 0;
-    std::uint64_t drawn = 0; ///< numbers drawn from the random stream
+    std::uint64_t drawn = 0; ///< how many numbers have been drawn from the random stream
     std::vector<Genome> population;
     std::optional<Individual> best; ///< best individual of the last evaluated generation; nothing before the first
 
     friend bool operator==(const SearchState&, const SearchState&) = default;
 };
 
-/// A traditional genetic algorithm. A search breeds one generation at a time, but does not evaluate
-/// individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of population() and
-/// passes it to next_generation(). The next generation depends only on the settings, the random stream and the fitness.
-/// So algorithm A of the thesis, in which slaves compute the fitness, gives exactly the generations of the traditional
-/// algorithm.
+/// A genetic algorithm with one population, the core of every search. It breeds one generation at a time, but does not
+/// evaluate individuals. The caller (a plain loop, a master with slaves, an island) computes the fitness of
+/// population() and passes it to next_generation(). The next generation depends only on the settings, the random stream
+/// and the fitness. So a search whose slaves compute the fitness (algorithm A of the thesis) makes exactly the same
+/// generations as the traditional algorithm.
 ///
-/// After an evaluation, an island calls emigrants(), then accept(), then next_generation(). If
-/// Acceptance::among_offspring(), it calls emigrants(), then next_generation(), then accept_among_offspring().
+/// An island is a search that exchanges individuals with others. After an evaluation, it calls emigrants(), accept()
+/// and next_generation(), in this order. If immigrants replace new offspring (Acceptance::among_offspring()), it calls
+/// emigrants(), next_generation() and accept_among_offspring().
 ///
-/// The elite (SearchSettings::elite) is copied unchanged to the beginning of the next population, the best individual
-/// first. Only the strings are copied: the elite is evaluated again like all others, because its fitness changes when
-/// the window moves. If there is an elite, the best fitness never decreases while the window stays the same.
+/// The elite, the best SearchSettings::elite individuals, is copied unchanged to the beginning of the next population,
+/// the best individual first. Only the strings are copied: the elite is evaluated again like all others, because its
+/// fitness changes when newer measurements arrive. With an elite, the best fitness never decreases as long as the
+/// measurements stay the same.
 class Search {
 public:
     /// Takes the first individuals from SearchSettings::initial and draws the others. Throws what
@@ -61,13 +63,12 @@ public:
     const Representation& representation() const { return representation_; }
     const std::vector<Genome>& population() const { return population_; }
     std::vector<Genome> take_population() && { return std::move(population_); }
-    /// Returns the number of generations evaluated so far.
     std::uint64_t generation() const { return generation_; }
-    /// Returns the number of times that the population, except the elite, was drawn anew because Reproduction found no
-    /// parents. The thesis does not mention this case: no fitness is positive, so the roulette wheel has no sectors.
+    /// Returns the number of times that the population, except the elite, was drawn anew because the selection found no
+    /// parents. Roulette selection finds none if no fitness is positive; the thesis does not mention this case.
     std::uint64_t redraws() const { return redraws_; }
 
-    /// Returns the state before the next evaluation.
+    /// Returns the state, from which go_on_from() continues with the next evaluation.
     SearchState state() const { return {generation_, redraws_, random_.drawn(), population_, best_}; }
     /// Continues from the state of a search with the same representation, settings and random stream. Throws UserError
     /// if the state has another number of individuals, strings of another representation, or a best fitness that is not
@@ -76,8 +77,8 @@ public:
     /// Returns whether the string belongs to this search's representation and the fitness is finite.
     bool is_valid(const Individual&) const;
 
-    /// A function that next_generation() calls before it breeds. The population then already includes the immigrants of
-    /// accept().
+    /// A function that next_generation() calls before it breeds, to report the evaluated generation. At this time the
+    /// population already includes the immigrants of accept().
     using Listener = std::function<void(const Search&, std::span<const double> fitness)>;
     void listen(Listener listener) { listener_ = std::move(listener); }
 
@@ -85,12 +86,13 @@ public:
     /// mutation. Throws std::invalid_argument unless there is one finite fitness for each individual.
     void next_generation(std::span<const double> fitness);
 
-    /// Returns the best individual of the last evaluated generation. Earlier generations are not comparable, because
-    /// the fitness changes with the window. Throws std::logic_error before the first next_generation().
+    /// Returns the best individual of the last evaluated generation. Individuals of earlier generations do not count,
+    /// because the fitness changes when newer measurements arrive. Throws std::logic_error before the first
+    /// next_generation().
     const Individual& best() const;
 
-    /// Returns copies of the emigrants with their fitness; by default, the best individual emigrates. Draws from this
-    /// search's random stream. Throws what next_generation() and `emigration` throw.
+    /// Returns copies of the individuals that leave for other islands, with their fitness; by default, the best
+    /// individual. Draws from this search's random stream. Throws what next_generation() and `emigration` throw.
     std::vector<Individual> emigrants(std::span<const double> fitness, const Emigration& emigration = {});
     /// Replaces individuals by immigrants, both in population() and in `fitness`; by default, an immigrant replaces the
     /// worst individual. Returns for each immigrant the index of the individual that it replaced. Draws from this

@@ -19,14 +19,15 @@
 
 namespace placedpar {
 
-/// The numbers measured at one time, in the order that the problem defines.
+/// The numbers measured at one time, in the order that the problem defines. Samples in the order of time form a record.
 using Sample = std::vector<double>;
 
-/// The functions of a problem that a search needs. A plain struct can have them without including this header. A
-/// problem works with natural binary and Gray code if its functions are templates in the type of the genome, and read
-/// the genome by field(first, count). A problem may also have `coding()`, the ParameterCoding of the string;
-/// `true_parameters()`, the parameters from which a simulated record was made; and the members of ErrorOfParameters,
-/// which make the evaluation of a population faster.
+/// The functions that a search needs of a problem with measurements. A search looks for the parameters with the least
+/// error. A plain struct can have them without including this header. A problem works with natural binary and Gray code
+/// if its functions are templates in the type of the genome (the string of bits). They must read the genome by
+/// field(first, count). A problem may also have `coding()`, the ParameterCoding of the string; `true_parameters()`, the
+/// parameters from which a simulated record was made; and the members of ErrorOfParameters
+/// (gaprocs/population_fitness.hpp), which make the evaluation of a population faster.
 template <typename P, typename G = Genome>
 concept Searchable = requires(const P& problem, const G& genome, std::span<const double> sample) {
     { problem.bits() } -> std::convertible_to<std::size_t>;
@@ -37,8 +38,9 @@ concept Searchable = requires(const P& problem, const G& genome, std::span<const
     { problem.parameter_units() } -> std::convertible_to<std::vector<std::string>>;
 };
 
-/// A type-erased search problem, which processes find by name in a ProblemRegistry. A SearchProblem is immutable, so
-/// several processes may share it.
+/// The base class of all problems, which processes find by name in a ProblemRegistry. A problem rates an individual by
+/// its errors at samples of measurements, or by an objective, a number without measurements. A SearchProblem is
+/// immutable, so several processes may share it.
 class SearchProblem {
 public:
     virtual ~SearchProblem() = default;
@@ -48,33 +50,34 @@ public:
     virtual Representation representation() const { return BitString(bits()); }
     /// Returns how many numbers a sample has; 0 for a problem with an objective().
     virtual std::size_t channels() const = 0;
-    /// Returns the objective of a problem that needs no record of measurements; nothing for a problem with a record. If
-    /// there is an objective, fitness() ignores the samples and the bias.
+    /// Returns the objective of a problem that needs no measurements; nothing for a problem with measurements. If there
+    /// is an objective, fitness() ignores the samples and the bias.
     virtual std::optional<Objective> objective() const { return std::nullopt; }
     /// Returns the names of the objectives if there are several; empty otherwise. A problem with several objectives has
     /// no fitness: it needs search_front() (gaprocs/front_search.hpp).
     virtual std::vector<std::string> objective_names() const { return {}; }
     /// Returns the costs of an individual, all to be minimised, and its violation of the constraints; nothing for a
-    /// problem with a record. An individual with a cost that is not a finite number is infeasible.
+    /// problem with measurements. An individual with a cost that is not a finite number is infeasible.
     virtual std::optional<Merit> merit(const Genome&) const { return std::nullopt; }
-    /// Returns merit() of each individual. A problem may evaluate a whole population at once. REQUIRES: there is an
-    /// objective().
+    /// Returns merit() of each individual. A problem may evaluate a whole population at once. REQUIRES: objective()
+    /// returns an objective.
     virtual std::vector<Merit> merits(std::span<const Genome> population) const;
     virtual bool has_constraints() const { return false; }
-    /// Returns whether the error at a sample depends on the first sample of the window. If so, the errors of one
-    /// individual cannot be divided among processes.
+    /// Returns whether the error at a sample depends on the first sample of the window (the samples of an evaluation),
+    /// as in a simulation that starts there. If it does, the errors of one individual cannot be divided among
+    /// processes.
     virtual bool depends_on_window() const { return false; }
     /// Returns the errors of one individual at the samples of a window, oldest first. REQUIRES: what error() requires,
     /// for each sample.
     virtual std::vector<double> errors(const Genome& genome, std::span<const Sample> window) const;
-    /// Returns the error of one individual at one sample (eq. 3.8). If depends_on_window(), the sample is taken as the
-    /// first of a window. REQUIRES: a string of bits() bits, a sample of channels() numbers, and no objective().
-    virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
-    /// Returns the fitness of one individual: the sum of fitness_term() over the samples, or the fitness of the
+    /// Returns the error of one individual at one sample (eq. 3.8). If depends_on_window(), the sample counts as the
+    /// first of a window. REQUIRES: a string of bits() bits and a sample of channels() numbers; the problem has no
     /// objective().
+    virtual double error(const Genome& genome, std::span<const double> sample) const = 0;
+    /// Returns the fitness of one individual: the sum of fitness_term() (`bias` - error^2) over the samples, or the
+    /// fitness of the objective().
     virtual double fitness(const Genome& genome, std::span<const Sample> samples, double bias) const = 0;
-    /// Sets out[i] to fitness() of individual i, bit for bit. For a problem that satisfies ErrorOfParameters, computes
-    /// several individuals at once. REQUIRES: out.size() == population.size().
+    /// Sets out[i] to fitness() of individual i, bit for bit. REQUIRES: out.size() == population.size().
     virtual void fitness_of(std::span<const Genome> population, std::span<const Sample> samples, double bias,
                             std::span<double> out) const = 0;
     /// These functions return the parameters that the string codes, their names, and their units.
@@ -84,15 +87,15 @@ public:
     /// Returns the true values of the parameters; empty if they are unknown.
     virtual std::vector<double> true_parameters() const { return {}; }
 
-    /// Returns the number of bits of each field of the string, without don't-care bits; empty if the problem does not
-    /// state its fields.
+    /// Returns the number of bits of each field (the bits of one parameter) of the string, without unused bits between
+    /// them. Empty if the problem does not state its fields.
     virtual std::vector<std::size_t> fields() const { return {}; }
     virtual Coding coding() const = 0;
     /// Returns the problem with its strings in another coding. Throws UserError if the problem cannot have this coding.
     std::shared_ptr<const SearchProblem> coded(Coding) const;
 
 private:
-    /// Does what coded() does, for a coding without don't-care bits.
+    /// Does what coded() does, for a coding without unused bits.
     virtual std::shared_ptr<const SearchProblem> coded_plainly(Coding) const = 0;
 };
 

@@ -10,14 +10,15 @@
 
 namespace placedpar {
 
-/// The window: the newest samples of the record, over which fitness is computed (thesis 3.1.1 and 4.3).
+/// The settings of the window, that is, of the newest samples of measurements, over which fitness is computed (thesis
+/// 3.1.1 and 4.3).
 struct WindowSettings {
     std::size_t length = 10; ///< number of samples in a full window
-    /// Number of samples before the first generation; `length` if `length` is less than `first`. The thesis does not
-    /// specify this number; 5 is our choice.
+    /// Number of samples before the first generation; if `length` is less, `length` samples. The thesis does not
+    /// specify this number; 5 is PlacedPar's choice.
     std::size_t first = 5;
-    std::size_t trials = 5; ///< generations per new sample
-    double bias = 400;      ///< B of eq. 3.9, in the unit of the squared error
+    std::size_t trials = 5; ///< number of generations after each new sample
+    double bias = 400;      ///< B of eq. 3.9, fitness = sum of B - error^2; in the unit of the squared error
 
     /// Throws UserError unless every setting is above 0, `length` <= `exact_fitness_terms` and `bias` <=
     /// `fitness_term_limit`.
@@ -26,7 +27,7 @@ struct WindowSettings {
     void validate_for(std::size_t record_length) const;
 };
 
-/// The largest population, in individuals. The limit is ours: a number typed with too many digits must not exhaust the
+/// The largest population, in individuals. Without a limit, a number typed with too many digits would exhaust the
 /// memory.
 inline constexpr int largest_population = 1'000'000;
 
@@ -46,12 +47,13 @@ struct SearchSettings {
 
     /// Throws UserError if `population` is below 2 or above `largest_population`, if there are more than `population`
     /// initial individuals, or if fewer than two individuals are outside the elite. Throws it also if a probability is
-    /// outside 0 ... 1 or a policy's number is out of range. Throws what WindowSettings::validate() throws.
+    /// outside 0 ... 1 or if a number of a policy (reproduction, crossover or mutation) is out of range. Throws what
+    /// WindowSettings::validate() throws.
     void validate() const;
 };
 
-/// Throws UserError if the crossover or the mutation does not work on these strings. The message names the operators
-/// that work on them.
+/// Throws UserError if the crossover or the mutation does not work on this kind of strings. The message names the
+/// operators that work on them.
 void require_fitting_operators(const Representation&, const SearchSettings&);
 
 } // namespace placedpar

@@ -9,7 +9,8 @@
 
 namespace placedpar {
 
-/// The last `length` measured samples, oldest first.
+/// The newest samples of measurements, oldest first, over which a search evaluates individuals. A full window has
+/// WindowSettings::length samples.
 class SlidingWindow {
 public:
     /// Makes an empty window. Throws what settings.validate() throws.

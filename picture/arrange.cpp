@@ -16,7 +16,8 @@ namespace {
 
 /// The approximate size of a node's box, in cells.
 constexpr double box_width = 0.7, box_height = 0.6;
-/// Terms that are added to the square of a wire's length to give its cost.
+/// The cost of a wire is the square of its length, plus `across_a_box` for each box that it crosses, plus `diagonal`
+/// times the smaller of its width and height.
 constexpr double across_a_box = 6, diagonal = 0.5;
 
 /// Stores the placed nodes by cell, so that the nodes near a place are found quickly.
@@ -143,8 +144,8 @@ private:
         return cost;
     }
 
-    /// Returns the cost of a wire from the new node along the vector `way`. Between two places of equal cost, a host or
-    /// an edge takes the left or upper place, any other node the right or lower place.
+    /// Returns the cost of a wire from the new node along the vector `way`. Of two places of equal cost, a host or an
+    /// edge takes the left or upper place, and any other node the right or lower place.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;

@@ -88,8 +88,8 @@ public:
         });
     }
 
-    /// Returns whether there is another array in which each node of the block has a partner: a node with the same
-    /// subscript to which the node is wired, such as `head[i]` for `row[i]`.
+    /// Returns whether each node of the block is wired to the node with the same subscript in another array, such as
+    /// `row[i]` to `head[i]`.
     bool has_partners() const {
         std::map<std::string_view, std::size_t> partners; // by array: number of nodes that have a partner in the array
         for (std::size_t i = 0; i < nodes_.size(); ++i)

@@ -20,7 +20,7 @@ constexpr std::size_t most_in_column = 8, longest_text = 26;
 double round_up(double length, double unit) { return std::ceil(length / unit) * unit; }
 double to_raster(double length) { return std::round(length / pitch) * pitch; }
 
-/// Leaves out the folder from the name of a kind that a file defines.
+/// Leaves out the folder from the name of a kind of processes that a file defines.
 std::string without_folder(const std::string& kind) { return kind.substr(kind.find_last_of('/') + 1); }
 
 /// Shortens a long text so that it ends in "..". Cuts between characters of UTF-8.

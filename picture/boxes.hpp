@@ -10,8 +10,8 @@
 
 namespace placedpar::picture {
 
-/// The unit of the drawing's raster, in pixels. The borders of boxes lie on the raster, and so do wires that turn
-/// corners.
+/// The distance of neighbouring points of the drawing's raster, in pixels. The borders of boxes, and wires that turn
+/// corners, lie on the raster.
 inline constexpr double pitch = 8;
 
 /// The heights of letters, in pixels.
@@ -34,8 +34,8 @@ struct DrawnNode {
     Box box;
     std::string name, facts; ///< facts: type, memory, clock
     std::vector<ProcessLine> processes;
-    std::string inside; ///< text with the number of channels inside the node, or about how the node boots; "" if the
-                        ///< node has neither
+    std::string inside; ///< text that says how many channels are inside the node, or how the node boots; "" if there is
+                        ///< nothing to say
 };
 
 /// Draws the nodes as boxes that have room for their texts, at the given places in cells. Boxes do not overlap, and

@@ -45,8 +45,8 @@ bool dashes_have_a_meaning(const Panel& panel) {
     return false;
 }
 
-/// Returns whether the curve needs no symbols. A curve with intervals needs symbols. Another curve needs none if it is
-/// the only series, if the panel has points of its colour, or if it is dashed and dashes have no meaning.
+/// Returns whether the curve needs no symbols. A curve with intervals needs symbols. Another curve needs none in three
+/// cases: it is the only series, the panel has points of its colour, or it is dashed and dashes have no meaning.
 bool needs_no_symbols(const Panel& panel, std::size_t place) {
     const std::size_t number = colour_number(panel, place);
     if (!panel.series[place].intervals.empty())

@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// These functions return the appearance of a panel's parts, as gnuplot's commands state it. Each colour has its own
-/// symbol and dashes, so that curves can also be distinguished without colour.
+/// These functions return the colours and styles of a panel's parts in the language of gnuplot, which draws the plot.
+/// Each colour has its own symbol and dashes, so that curves can also be distinguished without colour.
 
 /// Returns the colour as gnuplot writes it: "#0072B2". The eight colours repeat.
 const char* colour_named(int number);

@@ -34,8 +34,8 @@ private:
     double from_, length_;
 };
 
-/// An end of an axis is an edge of the panel, at which series may be cut off. `axis_` is perpendicular to this edge,
-/// `along_` parallel.
+/// An end of an axis, which is an edge of the panel at which series may be cut off. `axis_` is perpendicular to this
+/// edge, `along_` parallel to it.
 class End {
 public:
     End(PanelEdge edge, const Panel& panel)

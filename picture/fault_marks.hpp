@@ -10,7 +10,7 @@
 
 namespace placedpar::picture {
 
-/// A mark for a fault, at the wire or the node that it affects.
+/// The mark for a simulated fault of the machine, at the wire or the node that the fault affects.
 struct FaultMark {
     std::optional<std::size_t> wire, node; ///< one of the two is set
     std::string text;                      ///< such as "silent from 20 ms"

@@ -29,7 +29,7 @@ struct Box {
 
 /// Returns the box enlarged by `by` on every side.
 Box grown(const Box&, double by);
-/// Returns whether the boxes overlap. Boxes that share only a border do not.
+/// Returns whether the boxes overlap. Boxes that only touch do not overlap.
 bool overlap(const Box&, const Box&);
 /// Returns whether part of the line from `a` to `b` lies within the box.
 bool crosses(const Box&, Point a, Point b);

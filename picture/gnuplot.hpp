@@ -8,7 +8,8 @@ namespace placedpar {
 /// gnuplot's message if gnuplot refuses the script. Gnuplot does not read the user's own settings.
 std::string run_gnuplot(const std::string& script);
 
-/// Throws UserError if gnuplot is not on the path. Call it before a long run, so that the run is not lost.
+/// Throws UserError if gnuplot is not on the path. Call this function before a long run whose results are to be
+/// plotted.
 void require_gnuplot();
 
 } // namespace placedpar

@@ -17,8 +17,8 @@ using At = picture::Point;
 
 constexpr double cube_margin = 56, note_room = 44, text_line = 17, vertex_radius = 15, caption = 40, legend_height = 34;
 
-/// The direction in which each bit leads, beginning with the string's last bit: right, up, back, and to the second
-/// cube.
+/// The displacement, in pixels, from a vertex whose bit is 0 to the vertex whose bit is 1, for each bit. The string's
+/// last bit comes first: right, up, back, and to the second cube.
 constexpr std::array<At, 4> bit_leads{At{132, 0}, {0, -132}, {74, -62}, {284, 40}};
 
 constexpr const char* hypercube_style =

@@ -11,13 +11,13 @@
 
 namespace placedpar::picture {
 
-/// Finds room for small labels. A label overlaps no box and no other label. If possible, it overlaps no wire except the
-/// wire that it labels.
+/// Finds room for small labels in the drawing of a network. A label overlaps no box and no other label. If possible, it
+/// overlaps no wire except the wire that it labels.
 class LabelRoom {
 public:
     explicit LabelRoom(const std::vector<Box>& boxes);
 
-    /// Adds a part of wire number `wire`.
+    /// Adds a part of wire number `wire`, which labels of other wires avoid.
     void add_wire(std::size_t wire, const Path&);
     /// Finds room beside the first point of the path, at the wire's end.
     std::optional<Box> beside_start(std::size_t wire, const Path&, double width, double height);

@@ -24,7 +24,8 @@ constexpr double lane_start = 10, lane_gap = 6;
 constexpr double most_sagitta = 0.05; ///< greatest distance between a chord and the arc that it replaces, in cells
 constexpr double apart = 3;           ///< distance between blocks, in cells
 
-/// The places of all nodes. Blocks are numbered from left to right; block 0 holds the single nodes.
+/// The places of all nodes. Blocks, groups of nodes that are drawn together, are numbered from left to right. Block 0
+/// has the single nodes.
 struct LargeLayout {
     std::vector<Point> places;
     std::vector<std::size_t> block_of;            ///< block of each node
@@ -272,8 +273,8 @@ private:
         double across = ring.width / 2, high = ring.height / 2, reach = 1 + 0.75 / *block(node).radius;
         double angle = std::atan2((outside.y - c.y) / high, (outside.x - c.x) / across),
                goal = rightward ? 0 : std::copysign(std::numbers::pi, angle);
-        // A chord is nearer to the boxes than its arc, but by no more than most_sagitta. A ring of n nodes takes about
-        // sqrt(n) chords.
+        // A chord is nearer to the boxes than the arc that it replaces, but at most by most_sagitta. A ring of n nodes
+        // takes about sqrt(n) chords.
         double chord = std::sqrt(8 * most_sagitta / *block(node).radius);
         int steps = static_cast<int>(std::ceil(std::abs(goal - angle) / chord));
         for (int i = 1; i <= steps; ++i) {

@@ -14,9 +14,9 @@ struct Picture {
     std::vector<DrawnWire> wires; ///< in the order of the network's connections
 };
 
-/// Draws a network; the same network gives the same picture. No two boxes or labels overlap. `spans` are the spans of
-/// the network's wires. `places` has the places of the nodes, in cells; if it is empty, or the network is large
-/// (large.hpp), draw() arranges the nodes itself.
+/// Draws a network; the same network gives the same picture. No two boxes or labels overlap. `spans`: the parts of the
+/// network's wires between devices, from spans_of() (wiring.hpp). `places` has the places of the nodes, in cells; if
+/// `places` is empty, or the network is large (large.hpp), draw() arranges the nodes.
 Picture draw(const Network&, const std::vector<Span>&, const std::vector<Point>& places = {});
 
 /// Returns the box that contains the whole picture. REQUIRES: there is a node.

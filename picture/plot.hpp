@@ -13,13 +13,13 @@ struct Point {
 };
 
 enum class Stroke {
-    line,   ///< a line with the dashes of its colour; solid if dashes have a meaning in the panel
-    dashes, ///< dashes that have a meaning in the panel
+    line,   ///< a line with the dashes of its colour; solid if some colour of the panel has both a `line` and `dashes`
+    dashes, ///< dashes that distinguish the series from a `line` of the same colour
     points,
     plain ///< a line without symbols or dashes, for example a step curve
 };
 
-/// Texts are plain, without markup: "in³/s", not "in^3/s".
+/// A curve or a set of points of a diagram. Texts are plain, without markup: "in³/s" instead of "in^3/s".
 struct Series {
     std::string name; ///< name in the legend; if empty, the series is not in the legend
     std::vector<Point> points = {};
@@ -27,8 +27,8 @@ struct Series {
     std::optional<int> colour = std::nullopt; ///< one of the eight colours; nullopt: the default colour for the index
                                               ///< of the series in the panel
     /// Intervals of y, and of x, at each point, drawn as bars with caps. An empty list means no intervals; NaN means no
-    /// interval at this point. If several series have intervals of y at the same x, the series are shifted slightly
-    /// apart.
+    /// interval at this point. If several series have intervals of y at the same x, the series are shifted sideways a
+    /// little, so that the bars do not overlap.
     std::vector<Interval> intervals = {}, x_intervals = {};
 };
 
@@ -65,9 +65,9 @@ struct Axis {
     bool logarithmic = false;
 };
 
-/// A diagram with its legend to the right. An axis is extended beyond its end if a series would touch the frame there.
-/// If an axis cuts off a series, an arrow marks the place at the frame. The farthest value is in the legend or, if the
-/// series has no name, beside the arrow.
+/// A diagram with its legend to the right. If a series would touch the frame at the end of an axis, the axis is
+/// extended a little. If an axis cuts off a series, an arrow marks the place at the frame. The farthest value is in the
+/// legend or, if the series has no name, beside the arrow.
 struct Panel {
     std::string title = {};
     Axis x = {}, y = {};
@@ -95,7 +95,7 @@ std::string draw_svg(const Plot&);
 
 /// Prints the points of the plot's curves, intervals and bands as comma-separated values. There is a row for each
 /// point, with the labels of the axes, which contain the units. Points beyond the ends of the axes are included. Each
-/// point has its exact x, without the shift that separates intervals.
+/// point has its exact x.
 std::string curves_csv(const Plot&);
 
 } // namespace placedpar

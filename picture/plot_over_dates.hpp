@@ -6,8 +6,8 @@ namespace placedpar {
 
 struct Plot; // picture/plot.hpp
 
-/// Draws the plot as draw_svg() does, with dates at the x axes: x is in s since 1970. REQUIRES: each x axis has both
-/// ends.
+/// Draws the plot as draw_svg() does, but with dates at the x axes. The values of x are seconds since 1970. REQUIRES:
+/// each x axis has both ends.
 std::string draw_svg_over_dates(const Plot&);
 
 } // namespace placedpar

@@ -123,8 +123,9 @@ std::string data_blocks(const Panel& panel, std::size_t number) {
     return out;
 }
 
-/// Returns commands that set Left to the left margin of all panels. A narrow range far from 0 has long numbers at its
-/// axis, such as 1.0005e-09, and needs more than the usual margin. REQUIRES: all panels have been drawn on trial.
+/// Returns commands that set the gnuplot variable Left to the left margin of all panels. A narrow range far from 0 has
+/// long numbers at its axis, such as 1.0005e-09, and needs more than the usual margin. REQUIRES: trial_commands() have
+/// drawn all panels.
 std::string left_margin_commands(const Plot& plot) {
     constexpr int usual_letters = 5;
     std::string out = fmt::format("Letters = {}\n", usual_letters);
@@ -206,7 +207,8 @@ std::string plot_command(const Panel& panel, std::size_t number) {
     return fmt::format("plot {}\n", fmt::join(curves, ", \\\n     "));
 }
 
-/// Draws the panel without output, so that gnuplot chooses the ranges. Series are not shifted apart yet.
+/// Draws the panel without output, so that gnuplot chooses the ranges of the axes. In this trial, series with bars at
+/// the same x are not yet shifted apart.
 std::string trial_commands(const Panel& asked, std::size_t number) {
     const Panel panel = with_wide_axes(asked);
     return fmt::format("Xfrom{0} = 1; Xto{0} = 1\n", number) + data_blocks(panel, number) +

@@ -14,8 +14,8 @@ namespace placedpar::picture {
 
 namespace {
 
-/// A path costs `step_cost` for each step of a pitch. The other costs are added for a bend, a crossing with a wire, and
-/// a point close to a box.
+/// The costs of a path; the cheapest path is chosen. Each step of a pitch costs `step_cost`. The other costs are added
+/// for a bend, a crossing with a wire, and a point close to a box.
 constexpr unsigned step_cost = 1, bend_cost = 4, crossing_cost = 1, near_cost = 2;
 constexpr std::size_t most_points = 4'000'000, most_steps = 40'000'000;
 

@@ -16,8 +16,8 @@ struct Port {
     Point at, outward;
 };
 
-/// Finds paths for wires around boxes. The points of the raster are one pitch apart (boxes.hpp). Wires may cross, but
-/// no wire runs along another wire.
+/// Finds paths for wires around the boxes of a drawn network. The points of the raster are `pitch` pixels apart
+/// (boxes.hpp). Wires may cross, but no wire runs along another wire.
 class Raster {
 public:
     /// REQUIRES: the borders of the boxes lie on the raster.
@@ -33,7 +33,7 @@ public:
 
 private:
     class Search;
-    /// The contents of a point and its surroundings: a box, a label, or wires in each direction.
+    /// What is at a point of the raster: a box or label, the surroundings of a box, or wires in each direction.
     struct Cell {
         bool blocked = false, near = false, across = false, down = false, slanting = false;
 

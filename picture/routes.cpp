@@ -209,7 +209,7 @@ private:
         return base_name(n_.nodes[span.to.node].name) == base;
     }
 
-    /// Adds link numbers and channel counts to the wires drawn since the last call.
+    /// Adds the labels with link numbers and numbers of channels to the wires drawn since the last call.
     void label() {
         auto due = [&](std::size_t i) { return !paths_[i].empty() && labelled_.insert(i).second; };
         std::vector<std::size_t> now;

@@ -17,7 +17,8 @@ struct LinkLabel {
     std::string text;
 };
 
-/// The numbers of channels over a wire: `onward` leads to the right or down, `back` to the left or up.
+/// The label of a wire with the numbers of channels that use the wire. `onward` channels lead to the right or down,
+/// `back` channels to the left or up.
 struct ChannelCount {
     Box box;
     std::size_t onward = 0, back = 0;
@@ -26,12 +27,12 @@ struct ChannelCount {
 
 inline constexpr double digit_width = 6.5, arrow_width = 9;
 
-/// Returns the width of the text, in pixels. The text leaves out a direction without channels.
+/// Returns the width of the text of a ChannelCount, in pixels. The text leaves out a direction without channels.
 double width_of_count(std::size_t onward, std::size_t back);
 
 /// A drawn wire and its labels. A label for which there is no room is left out.
 struct DrawnWire {
-    std::vector<Path> spans; ///< in order from the wire's end `a` to its end `b`
+    std::vector<Path> spans; ///< paths between the devices on the wire, in order from the wire's end `a` to its end `b`
     std::vector<LinkLabel> links;
     std::optional<ChannelCount> channels;
 };

@@ -8,7 +8,8 @@
 
 namespace placedpar::picture {
 
-/// The places of a block's nodes relative to the block, in cells. Each node has its own cell.
+/// The places of a group of nodes that are drawn together (a block) relative to each other, in cells of a grid. Each
+/// node has its own cell.
 using Shape = std::vector<Point>;
 
 /// Stands for the parent of a tree's root.
@@ -36,11 +37,11 @@ Shape tree(const std::vector<std::size_t>& hangs_from);
 /// Places nodes by their subscripts: the last subscript counts across, the second last down, the third last across
 /// again.
 Shape grid(const std::vector<std::vector<std::int64_t>>& subscripts);
-/// Makes a hypercube. With three dimensions it is drawn as a cube. With another number of dimensions it is a grid whose
-/// rows and columns are in the order of the Gray code.
+/// Makes a hypercube: with three dimensions a cube in perspective, otherwise a grid whose rows and columns are in the
+/// order of the Gray code.
 Shape hypercube(std::size_t dimensions);
-/// Makes a hypercube in which each corner is a circle of `dimensions` nodes. The nodes of each corner are consecutive.
-/// REQUIRES: three dimensions or more.
+/// Makes a hypercube in which each corner is a circle of `dimensions` nodes. Nodes of the same corner follow each other
+/// in the order of the nodes. REQUIRES: three dimensions or more.
 Shape cube_connected_cycles(std::size_t dimensions);
 
 } // namespace placedpar::picture

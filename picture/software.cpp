@@ -12,7 +12,7 @@ namespace placedpar::picture {
 
 namespace {
 
-/// Returns the device kind that draws a process as a box with the process's kind and its processor.
+/// Returns a kind of device that stands for a process in the picture: a box with the process's kind and its processor.
 std::shared_ptr<const DeviceKind> process_box(bool outside) {
     DeviceKind kind{.name = outside ? "process-outside" : "process",
                     .noun = "a process",

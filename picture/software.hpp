@@ -8,8 +8,9 @@
 
 namespace placedpar::picture {
 
-/// A network's software in the form of a network, so that it can be drawn. There is a node for each process, and for
-/// each edge with channels. One wire between two nodes stands for all channels between them, in both directions.
+/// A network's processes and channels in the form of another network, which the functions for machines can draw. It has
+/// a node for each process, and for each edge of the network with channels. One wire between two nodes stands for all
+/// channels between them, in both directions.
 struct Software {
     Network network;
     std::vector<Span> spans;   ///< labelled at each end with the output ports of that end

@@ -25,7 +25,7 @@ namespace {
 constexpr std::size_t longest_tooltip = 4000;
 constexpr double border = 24, title_height = 32, legend_line = 24, curve = 14;
 
-/// The style of the drawing. It is readable without colours, because shapes make the same distinctions.
+/// The style of the drawing. The drawing is readable without colours, because shapes make the same distinctions.
 constexpr const char* style =
     R"(.title { font-size: 14px; font-weight: bold; }
 .name { font-size: 13px; font-weight: bold; text-anchor: middle; }
@@ -46,7 +46,7 @@ constexpr const char* style =
 .channels path, .head { fill: #3b5b7a; }
 )";
 
-/// This style is added if transputers execute their own code.
+/// This style is added if transputers execute the code of a bootable file.
 constexpr const char* style_of_code = R"(.booted .frame { stroke-width: 3; }
 )";
 /// This style is added if there are faults.

@@ -24,8 +24,8 @@ struct SvgAttribute {
 };
 using SvgAttributes = std::vector<SvgAttribute>;
 
-/// Writes SVG elements in the order of painting. Each element has its own line; the elements of a group share a line.
-/// The pen escapes texts and values.
+/// Writes SVG elements in the order of painting. Each element is written on its own line, a group with its elements on
+/// one line. The pen escapes special characters in texts and values.
 class SvgPen {
 public:
     SvgPen& rect(const Box& b, const SvgAttributes& more = {}) {
@@ -49,8 +49,8 @@ public:
     SvgPen& group(const SvgAttributes&, const SvgPen& contents, std::string_view tooltip = "");
     SvgPen& add(const SvgPen& other);
 
-    /// Returns an SVG document with everything that was drawn, on white paper. `arrow_heads` are the markers at the
-    /// ends of paths.
+    /// Returns an SVG document with everything that was drawn, on white paper. `arrow_heads`: SVG definitions of the
+    /// markers at the ends of paths.
     std::string document(const Box& paper, const std::string& style, const std::string& arrow_heads = "",
                          const std::string& title = "") const;
 

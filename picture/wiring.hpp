@@ -10,7 +10,8 @@
 
 namespace placedpar::picture {
 
-/// A part of a wire, between two successive devices on the wire. A wire through one switch has two spans.
+/// A part of a wire between two successive devices, such as switches, on the wire. A wire through one switch has two
+/// spans.
 struct Span {
     std::size_t connection = 0;
     LinkEnd from, to;

@@ -11,7 +11,7 @@ namespace placedpar {
 
 /// States where the figure in a cell comes from.
 enum class Origin {
-    outcome,    ///< result of the simulation; nothing was fitted to it
+    outcome,    ///< result of the simulation; no constant was fitted to the cell
     calibrated, ///< one constant was fitted to this cell
     workload,   ///< a constant for the cost of the program was taken from this cell
     fitted,     ///< constants were fitted to several cells, including this cell
@@ -23,18 +23,18 @@ inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Or
 
 const char* name_of(Origin);
 
-/// States the origin of the figure or bound that judges a cell.
+/// States where the figure or bound comes from with which a cell is judged.
 enum class Judge {
     thesis,    ///< a figure, an equation or a claim of the thesis
     published, ///< a figure that others have published
-    own        ///< an earlier figure of ours, the true value of a simulated machine, or a bound that we chose
+    own ///< an earlier figure of PlacedPar, the true value of a simulated machine, or a bound chosen for PlacedPar
 };
 
 inline constexpr std::array every_judge{Judge::thesis, Judge::published, Judge::own};
 
 const char* name_of(Judge);
 
-/// A simulated figure, a known figure, and the tolerance of their difference.
+/// One figure of an experiment: the simulated figure, the known figure, and the tolerance of their difference.
 struct Cell {
     std::string row, column, unit = {};
     std::optional<double> reference = {};         ///< the known figure: Comparison::against names its source
@@ -69,25 +69,25 @@ Cell plain_cell(std::string row, std::string column, std::string unit, double va
 /// Makes a cell that is judged if both a known figure and a tolerance are given, and only printed otherwise.
 Cell cell_of(std::string row, std::string column, std::string unit, std::optional<double> known, double value,
              std::optional<double> tolerance, int decimals);
-/// Makes a cell that is judged by a lower bound. The cell may have a known figure, which it need not meet.
+/// Makes a cell that is judged by a bound. The cell may have a known figure, from which it may deviate.
 Cell at_least(double bound, Cell cell);
 Cell at_most(double bound, Cell cell);
 /// Makes a cell that shows a share in percent. The cell misses a bound only if its whole 95 % interval misses the
-/// bound, so that the verdict does not depend on the number of runs. Without runs nothing is known: the share is 0, and
-/// no bound is missed. REQUIRES: successes <= runs.
+/// bound, so that few runs do not fail by chance. Without runs the share is 0, and misses no bound. REQUIRES: successes
+/// <= runs.
 Cell share_cell(std::string row, std::string column, std::size_t successes, std::size_t runs);
 Cell judged_by(Judge, Cell);
 
-/// Allowed deviation of a figure that scatters with the seed, in standard deviations. A replay judges about ten such
-/// figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations. With
-/// the remaining two standard deviations, a replay fails for less than one seed in a hundred
+/// Allowed deviation of a figure that scatters with the seed, in standard deviations. An experiment judges about ten
+/// such figures. The known figures are samples, too, and may be wrong by up to two of their own standard deviations.
+/// With the remaining two standard deviations, an experiment fails for less than one seed in a hundred
 /// (docs/reference/hydraulics.md has the counts).
 inline constexpr double deviations_allowed = 4;
 
-/// Returns the tolerance, in percentage points, for the difference between two shares, each of n records. The standard
-/// deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti and Coull), so
-/// that a share of 0 or 100 % scatters, too. A known share came from 50 to 300 seeds; it is treated as if
-/// it came from n records.
+/// Returns the tolerance, in percentage points, for the difference between two shares, each of n = `records` records.
+/// The standard deviation is sqrt(2 p (1 - p) / n). To estimate p, two successes and two failures are added (Agresti
+/// and Coull), so that a share of 0 or 100 % scatters, too. A known share came from 50 to 300 seeds; it is treated as
+/// if it came from n records.
 double share_tolerance(double known_percent, std::size_t records);
 /// Returns how far the standard deviation of n Gaussian values may be from a known standard deviation. The result is
 /// `deviations_allowed` times the scatter of the values' standard deviation, plus `rounding`, the largest rounding

@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Returns a table of the ranks' clocks: how far each clock drifted from the clock of rank 0 during the run, and the
-/// greatest possible error of a comparison of the two clocks.
+/// Returns a table of the clocks of ranks, the processes of mpirun: how far each clock drifted from the clock of rank 0
+/// during the run, and the greatest possible error of a comparison of the two clocks.
 Table clocks_of(const std::vector<RankClock>&);
 
 } // namespace placedpar

@@ -203,8 +203,8 @@ std::string print_row(const Cells& row, const ShownTable& table, const std::stri
     return out;
 }
 
-/// Prints the two head lines. A heading ends one place to the right of its figures, above the marks that follow
-/// figures.
+/// Prints the two lines of headings. A heading ends one character to the right of its figures, above the marks that
+/// follow figures.
 std::string print_head(const ShownTable& table, const std::string& against, std::size_t width) {
     std::string names, figures;
     for (const ShownColumn& column : table.columns) {

@@ -13,10 +13,10 @@ struct Comparison {
     std::string name;
     std::vector<Cell> cells = {};
     std::string notes = {};         ///< text printed below the table
-    std::string against = "thesis"; ///< the source of the cells' references; 7 letters at most
+    std::string against = "thesis"; ///< the source of the known figures; 7 letters at most
     bool judged = false;            ///< the table is judged even if it is not the first of an experiment
-    bool names_origins =
-        false; ///< each row names the origin of its first cell; otherwise each cell shows its origin by a letter
+    /// Each row names the origin of its first cell; otherwise each cell shows its origin by a letter.
+    bool names_origins = false;
 
     void add(Cell cell);
     bool within_tolerance() const;

@@ -94,8 +94,8 @@ ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, con
     return curve;
 }
 
-/// Returns where the axis of a rising quantity begins; nothing if gnuplot may choose. The lowest twentieth of the
-/// points, often the first generations, is left out if it would take more than half of the height.
+/// Returns where the axis of a rising quantity begins; nothing if gnuplot may choose. Leaves out the lowest twentieth
+/// of the points, often the first generations, if these points would take more than half of the height.
 std::optional<double> beginning_of_axis(const Panel& panel) {
     std::vector<double> values;
     for (const Series& series : panel.series)
@@ -136,8 +136,8 @@ struct DrawnLogs {
     }
 };
 
-/// Draws the mean as points without quartiles. A few individuals with a very low fitness make the mean jump, and a line
-/// or a band would then hide the best fitness.
+/// Draws the mean fitness as points without quartiles. A few individuals with a very low fitness make the mean jump,
+/// and the jumps of a line or a band would hide the best fitness.
 Panel fitness_panel(const DrawnLogs& drawn) {
     Curves curves{drawn.curve("mean", &LoggedGeneration::mean, 1, Stroke::points),
                   drawn.curve("best", &LoggedGeneration::best, 0)};

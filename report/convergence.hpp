@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// Describes a quantity over the generations of each run.
+/// Describes a quantity of a search, such as the best fitness, over the generations of each run.
 struct ConvergenceCurve {
     std::string name;                      ///< name in the legend
     std::vector<std::vector<double>> runs; ///< values of each run from generation `first` on
@@ -19,7 +19,7 @@ struct ConvergenceCurve {
     std::uint64_t first = 1;
 };
 
-/// Draws the median of the runs of each curve, over the generations that all runs made. With two or more runs, the
+/// Draws the median over the runs for each curve and each generation that all runs made. With two or more runs, the
 /// quartiles surround the median. Values that are not finite are left out. Long runs are thinned to a few hundred
 /// points; the last generation is always kept. Throws std::invalid_argument for a curve without runs or a run without
 /// generations.
@@ -27,10 +27,10 @@ Panel convergence_panel(std::string title, std::string label, std::span<const Co
 
 /// Draws the best and the mean fitness of all searches together or, if the problem has an objective, the best objective
 /// so far and the mean objective. The diversity of the searches is drawn below. Curves show medians and quartiles over
-/// the seeds of the logs. Searches that cannot be compared (GenerationLog::compares()) are drawn separately. The axis
-/// of a positive objective that is minimised is logarithmic. The axis of a fitness leaves out the far lower values of
-/// the first generations. Throws UserError if some run made no generation, or no generation with a finite objective.
-/// REQUIRES: at least one log; all logs are of one network.
+/// the seeds. Searches that cannot be compared (GenerationLog::compares()) are drawn separately. The axis of a positive
+/// objective that is minimised is logarithmic. The axis of a fitness leaves out values of the first generations that
+/// are far lower than the others. Throws UserError if some run made no generation, or no generation with a finite
+/// objective. REQUIRES: at least one log; all logs are of one network.
 Plot convergence_plot(std::string title, std::span<const SeededLog>);
 
 } // namespace placedpar

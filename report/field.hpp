@@ -14,11 +14,11 @@
 namespace placedpar {
 
 /// Describes one fact of a report's row: its text below a heading in a table for people, and its value under a key in a
-/// document for programs. A field may lack its text or its value.
+/// document for programs. A field may be only in tables, or only in documents.
 struct Field {
     std::string heading, text;
-    std::size_t width = 0; ///< least width of the column; if it is 0 in all rows, the column is as wide as its widest
-                           ///< text or its heading
+    std::size_t width = 0; ///< least width of the column in characters; 0 in all rows: the column is as wide as its
+                           ///< widest text or its heading
     enum class Column { none, left, right } column = Column::none;
     std::string key = ""; ///< "": not in documents
     boost::json::value value = nullptr;
@@ -41,7 +41,7 @@ struct Field {
         return time ? member(key + "_ps", time->count()) : Field();
     }
 
-    /// These two functions add the fact to documents, with this value, or with the text as value.
+    /// These two functions add the fact to documents. Its value is `its_value`, or else the text.
     Field as(std::string its_key, const auto& its_value) && {
         key = std::move(its_key);
         value = boost::json::value(its_value);
@@ -61,17 +61,18 @@ boost::json::array json_of(const std::vector<Row>&);
 
 /// Holds rows of the same fields.
 struct Table {
-    Row head; ///< only its headings, widths and keys are used; it is set even if there are no rows
+    Row head; ///< headings, widths and keys of the columns, also if there are no rows
     std::vector<Row> rows;
 
-    /// Returns a line of headings (Paint::heading), after `before`, and a line for each row, without trailing blanks.
+    /// Returns the table for people: `before`, a line of headings, and a line for each row, without trailing blanks.
     std::string text(const std::string& before = "") const;
-    /// Returns a line of keys and a line for each row; a cell without a value is empty.
+    /// Returns the table as comma-separated values: a line of keys and a line for each row. A cell without a value is
+    /// empty.
     std::string csv() const;
 };
 
-/// Makes a table of things. `row_of` describes one thing; for the headings it is called with a default-constructed
-/// thing.
+/// Makes a table with a row for each of `things`. `row_of` returns the row of one thing. For the headings `row_of` is
+/// called with a default-constructed thing.
 template <class Things, class RowOf>
 Table table_of(const Things& things, RowOf row_of) {
     Table table{row_of(typename Things::value_type()), {}};

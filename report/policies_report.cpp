@@ -26,7 +26,8 @@ struct PolicyParameter {
     std::vector<std::string> kinds;
 };
 
-/// The result of a query by name: a step of the algorithm, such as reproduction, with the policies that fit the name.
+/// The result of a query by name: a step of the algorithm, such as selection, with the policies (ways to do the step)
+/// that fit the name.
 struct PolicyQuery {
     Noun noun; ///< the step, with all its policies, or with only the policies that the name matches
     std::vector<std::string>
@@ -34,7 +35,8 @@ struct PolicyQuery {
     std::vector<PolicyParameter> parameters;
 };
 
-/// Adds the parameter. Kinds whose parameters are equal in every respect share an entry.
+/// Adds the parameter of a kind of processes. If the parameter is equal in every respect to a parameter of other kinds,
+/// adds the kind to the entry of these kinds.
 void add_parameter(std::vector<PolicyParameter>& all, const ParameterDescription& parameter, const std::string& kind) {
     auto is_it = [&](const PolicyParameter& each) {
         return parameter_json(*each.parameter) == parameter_json(parameter);
@@ -111,7 +113,7 @@ std::vector<PolicyQuery> find_asked(const Catalogue& catalogue, const std::strin
 }
 
 /// Applies the numbers in the name to the policies, and returns the queries whose policy accepts these numbers. Throws
-/// UserError if no policy does.
+/// UserError if no policy accepts them.
 std::vector<PolicyQuery> with_numbers(std::vector<PolicyQuery> all, const std::string& name) {
     std::erase_if(all, [](const PolicyQuery& asked) { return asked.noun.policies.empty(); });
     if (all.empty())

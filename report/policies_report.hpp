@@ -11,10 +11,12 @@
 
 namespace placedpar {
 
-// These functions describe the steps of a genetic algorithm (Noun in gaprocs/policies/nouns.hpp), the policies and
-// forms of each step, and the parameters of processes in the catalogue that select policies.
+// These functions describe the steps of a genetic algorithm, such as selection, and the ways to do each step. A way is
+// a policy, which a netlist names, such as "tournament", or a form, which a netlist selects otherwise, such as by its
+// connections (gaprocs/policies/nouns.hpp). The functions also describe the parameters of processes that select
+// policies.
 
-/// The name that stands for all policies in place of a kind's name.
+/// The argument of `placedpar kinds` that stands for all policies.
 inline constexpr std::string_view policies_group = "policies";
 
 /// Returns the names that is_policy() accepts in exactly this spelling: "policies", and the names of all steps,

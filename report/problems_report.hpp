@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-/// The name that stands for all problems in place of a kind's name.
+/// The argument of `placedpar kinds` that stands for all search problems.
 inline constexpr std::string_view problems_group = "problems";
 
-/// Prints the search problems, a line for each. A family of problems is printed with the numbers in its names, as in
-/// `sphere(3)`, and their defaults.
+/// Prints the search problems, a line for each. A family is problems that differ only in numbers, such as `sphere(3)`.
+/// It is printed with the names and defaults of these numbers.
 std::string print_problems(const ProblemRegistry&);
 /// Prints everything about the problem of this name: the numbers in the name, the objective, and the parameters that
 /// are searched. Throws UserError as ProblemRegistry::find() does.

@@ -39,7 +39,8 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the elements that an option set, at most the first eight; "" if the option set a val.
+/// Lists the nodes, wires or processes that an option set, at most the first eight; "" if the option set a constant
+/// (`val`).
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())

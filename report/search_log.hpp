@@ -9,14 +9,14 @@
 
 namespace placedpar {
 
-/// Returns whether the process holds a population, as ga.traditional, ga.master, ga.island, ga.coarse and ga.fine do.
+/// Returns whether the process has a population: ga.traditional, ga.master, ga.island, ga.coarse or ga.fine.
 bool searches(const ProcessInstance&);
 
 /// Throws UserError if no process searches.
 void require_searches(const Network&);
 
 /// Makes an empty log of the processes that search, in the order of the netlist. The log compares the searches if all
-/// have the same problem and coding, and none searches a RecodedProblem.
+/// of them have the same problem and coding, and none is a ga.coarse or ga.fine, whose strings differ.
 GenerationLog log_of(const Network&);
 
 /// Holds the log of the searches of a run with this seed.

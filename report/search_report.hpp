@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-// These functions print the part of a report about the generations of each search, and of all searches together. A
-// search without generations is left out.
+// These functions print the part of a run's report about the generations of each search, and of all searches together.
+// They leave out a search without generations.
 
 /// Prints the searches of one run for people: first and last generation, diversity at the end, and how many immigrants
 /// were accepted and turned away.

@@ -9,15 +9,16 @@
 
 namespace placedpar {
 
-/// Describes a field of a string in natural binary (thesis eq. 1.5): the values for all bits 0 and for all bits 1, and
-/// the change of value by one step of the code.
+/// Describes a field of a string in natural binary, that is, the bits that code one parameter (thesis eq. 1.5). `least`
+/// and `most` are the parameter's values if all bits are 0 or 1, and step() is the difference between the values of
+/// neighbouring codes.
 struct StringField {
     std::string name, unit;
     std::size_t bits;
     double least, most;
 
     double step() const { return (most - least) / (static_cast<double>(std::uint64_t{1} << bits) - 1); }
-    /// Returns whether both fields are equal except for their names.
+    /// Returns whether both fields are equal apart from their names.
     bool is_like(const StringField& other) const;
 };
 

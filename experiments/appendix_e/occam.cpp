@@ -37,8 +37,8 @@ constexpr std::array ways_to_compile{
     WayToCompile{"mode stop", {.model = transputer::Model::t800, .mode = occam::ErrorMode::stop}},
 };
 
-/// A program, the result that it prints, and its times when compiled by INMOS's occam compiler 2.01 in each of the
-/// three ways. The times are in ticks of 64 us, measured on the emulated T800 with all memory on the chip.
+/// A program, the result that it prints, and its times when compiled by INMOS's occam compiler 2.01 with each of the
+/// three sets of options. The times are in ticks of 64 us, measured on the emulated T800 with all memory on the chip.
 struct ProgramOfInmos {
     const char* name;
     double result;
@@ -92,7 +92,8 @@ constexpr std::array memories{std::pair{"1 cycle", 1}, std::pair{"3 cycles", 3},
 constexpr std::array ways_to_evaluate{"REAL64, orifices known", "REAL32, orifices known", "REAL64, as printed",
                                       "REAL64, with slopes"};
 
-/// Returns the sum of the fitness that the C++ library computes for the strings and the window of boom.occ.
+/// Returns the sum of the fitness that the C++ library computes for the strings and the window of boom.occ, for
+/// comparison with the program in occam.
 double fitness_in_cpp() {
     const ProblemRegistry problems = known_problems(1);
     const RecordedProblem& boom = problems.find("boom");
@@ -133,7 +134,7 @@ constexpr std::array times_of_table{
     TimeOfTable{"S_time2", {10.5, 10.5, 10.5, 10.5}},
 };
 
-/// Runs a netlist of the thesis whose processes are in C++. The run has no slaves, since slaves do not change the
+/// Runs a netlist of the thesis whose processes are in C++. The run has no slaves, because slaves do not change the
 /// strings.
 RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
     return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
@@ -151,8 +152,8 @@ Cell cell_of_generations(const char* row, const std::string& column, const Print
     return judged_by(Judge::own, judged_cell(row, column, "", 1, run.text.find(hash) != run.text.npos, 0, 0));
 }
 
-/// A cluster whose programs are in occam. With the usual generator of random numbers, the cluster breeds the same
-/// strings as ga.master. The congruential generator needs less time.
+/// A master and its slaves (a cluster) whose programs are in occam. With the usual generator of random numbers, the
+/// cluster breeds the same strings as ga.master. The congruential generator needs less time.
 struct SearchOfCluster {
     const char* name;
     const char* numbers; ///< name of the generator of random numbers

@@ -63,8 +63,8 @@ struct TimingColumn {
     double simulated(const char* row) const { return cell(row).simulated; }
 };
 
-/// Adds the communication time that one additional slave costs, and the communication time during which the master does
-/// not evaluate.
+/// Adds cells for the communication time that one additional slave costs, and for the communication time during which
+/// the master does not evaluate.
 void add_communication(Comparison& comparison, const TimingColumn& slaves, const TimingColumn& fewer) {
     // In the thesis, T_exe differs from T_sr + S_time2 by up to 0.3 ms, and each figure has a rounding error of up to
     // 0.05 ms.
@@ -95,8 +95,8 @@ Comparison communication_table(const StudyReplay& study, const Comparison& table
     return comparison;
 }
 
-/// Returns the study's replay, with the table of the communication and the constants of the netlist added. The notes
-/// refer to these constants.
+/// Returns the study's tables, with the table of the communication and the constants of the netlist added. The notes of
+/// the tables refer to these constants.
 Replay replay_table_e1(const ReplayContext& context) {
     const StudyReplay study(context, "thesis/table-e1/table-e1.toml");
     Replay replay = study.replay();

@@ -48,8 +48,9 @@ std::string names_of(LinkSet links) {
     return names;
 }
 
-/// Draws one circuit. The flow runs from left to right. The bypass of a junction leads to the junction one column to
-/// its right. If two bypasses lead to one junction, the second branch has a row of its own.
+/// Draws one hydraulic circuit. Each link has a junction, at which the flow divides into its cylinder and the bypass.
+/// The flow runs from left to right. The bypass of a junction leads to the junction one column to its right. If two
+/// bypasses lead to one junction, the second branch has a row of its own.
 class CircuitDrawing {
 public:
     CircuitDrawing(SvgPen& pen, const Circuit& circuit, At corner)
@@ -111,8 +112,8 @@ private:
         pen_.text(pump + At{0, 4}, "small", pumps == 1 ? "Q" : fmt::format("{} Q", pumps));
     }
 
-    /// Draws the path of the flow that does not enter the cylinder. The path leads to the next junction or to the tank,
-    /// or there is no path.
+    /// Draws the bypass, the path of the flow that does not enter the cylinder. The bypass leads to the next junction
+    /// or to the tank, or is absent.
     void draw_bypass(At from, const Junction& junction, const std::string& name) {
         At straight = from + At{column_width - 4, 0};
         if (junction.through == Through::junction && at(junction.next).y != from.y) {
@@ -141,7 +142,7 @@ private:
     SvgPen& pen_;
     const Circuit& circuit_;
     At corner_;
-    std::vector<std::size_t> steps_; ///< distance of each junction from the last junction, in columns
+    std::vector<std::size_t> steps_; ///< number of columns between each junction and the last junction
     std::vector<std::size_t> rows_;
 };
 
@@ -176,8 +177,7 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     return circuits;
 }
 
-/// Returns the names, such as "b, d", of all configurations with a circuit in which `is` returns true for the junction
-/// of this link.
+/// Returns the names, such as "b, d", of all configurations in which `is` returns true for the junction of this link.
 template <class Is>
 std::string configurations_with(Link link, Is is) {
     std::string names;

@@ -25,7 +25,7 @@ using namespace identification;
 
 namespace {
 
-/// A fault of the measured machine. A leak begins when the reference begins to rise. An offset or drift of the voltage
+/// A fault of the simulated machine. A leak begins when the reference begins to rise. An offset or drift of the voltage
 /// begins at time 0.
 struct LoopFault {
     const char* name;
@@ -144,7 +144,7 @@ void add_leak(Comparison& comparison, const LoopRuns& sound, const LoopRuns& lea
         plain_cell("leak as a share of the inflow", name, "%", lower_median_of(runs, LoopFigure::leak_share), 1));
     add_median(comparison, "lag behind the reference grows by", name, "deg",
                changes(runs, healthy, LoopFigure::steady_deg), 3);
-    // By section 2.8, the compliance grows at least by the leak's flow divided by the slope of the pressure.
+    // By section 2.8, the identified compliance grows at least by the leak's flow divided by the slope of the pressure.
     add_median(comparison, "compliance grows by", name, "%",
                scaled(changes(runs, healthy, LoopFigure::by_spool), 100 / sound_in3_per_psi), 1, 5);
 }
@@ -164,7 +164,7 @@ Comparison leak_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& l
 }
 
 /// Judges the claim that the closed loop masks the leak. The judged figure is the lag that the leak adds in the closed
-/// loop, as a share of the lag that it adds in the open loop.
+/// loop, divided by the lag that the leak adds in the open loop.
 Comparison mask_comparison(const LoopRuns& sound, const std::vector<LoopRuns>& leaks) {
     Comparison comparison{.name = "the closed loop's additional lag as a share of the open loop's",
                           .notes = "judged: a quarter or less (a bound chosen here)\n",

@@ -20,7 +20,8 @@ using Maybe = std::optional<double>;
 constexpr std::array factors{1.0, 2.0, 4.0, 6.0, 7.0};
 using KnownFigures = std::array<Maybe, factors.size()>; // one for each multiple
 
-// The step resolves the peak and the settling time; the duration lets the stable loops settle.
+// The time step is short enough for the peak and the settling time; the duration is long enough for stable loops to
+// settle.
 constexpr double step_s = 0.001, duration_s = 20;
 
 std::string times_c(double factor) { return factor == 1 ? "C" : fmt::format("{:g} C", factor); }
@@ -51,8 +52,8 @@ Maybe pair_real_of(const PdLoop& loop) { return poles(loop)[2].real(); }
 Maybe pair_imaginary_of(const PdLoop& loop) { return poles(loop)[2].imag(); }
 Maybe margin_of(const PdLoop& loop) { return stability_margin(loop); }
 
-/// A figure of the loop, computed for each multiple of C. The known values were computed independently of this program
-/// and are rounded to the digits given.
+/// A figure of the control loop, computed for each multiple of the compliance C. The known values were computed
+/// independently of this program and are rounded to the digits given.
 struct Row {
     const char* name;
     const char* unit = "";

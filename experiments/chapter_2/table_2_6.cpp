@@ -93,7 +93,8 @@ void add_claims(Comparison& comparison, const FlowConstants& constants) {
             return boom_flow_sensitivity(point.spool_in, point.inlet_psi, constants).*of;
         };
     };
-    // The table ends at 60 in^3/s. Most flows with a spool error are greater, so they are extrapolated from the table.
+    // The table ends at 60 in^3/s. Most flows with a spool error are greater than 60 in^3/s, so they are extrapolated
+    // from the table.
     add_more_flow("more flow for +0.02 in", 0.02, 3);
     add_more_flow("more flow for +0.01 in", 0.01, 1.5);
     add_rows(comparison, {"dQ_i/dx", "in^3/s/in", 0, sensitivity(&FlowSensitivity::to_spool_in3_per_s_in)});

@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-// These values are printed in the thesis.
+// These compliances are printed in the thesis.
 constexpr double by_spool_in3_per_psi = 0.005, by_voltage_in3_per_psi = 0.0086;
 
 constexpr double stated_offset_in = 0.01; // offset of the spool, before the calibration
@@ -112,7 +112,7 @@ void add_clean_errors(Comparison& comparison, const ThesisExperiment& way, const
 }
 
 /// The largest allowed relative error of an experiment's compliance, for one record and for the median of many records.
-/// The limit for one record is exceeded by one record in a thousand (measured with 3,000 records).
+/// One record in a thousand exceeds the limit for one record (measured with 3,000 records).
 struct Allowed {
     double record, median;
 };
@@ -146,7 +146,8 @@ Comparison simple_comparison(const std::vector<BoomData>& motions, const Seeds& 
 }
 
 /// Compares both experiments on the measured machine. The model ignores the machine's hoses, stiction, ripple and dead
-/// time of 10 ms. In experiment 2, these omissions act like an a_0 that is too high.
+/// time of 10 ms. In experiment 2, these omissions act like too high a value of a_0, the rate at which the spool
+/// follows the voltage.
 Comparison measured_comparison(const std::vector<BoomData>& motions, const Seeds& seeds) {
     Comparison comparison{.name = fmt::format("{}: the compliance that each experiment finds", measured.name),
                           .against = "true",
@@ -208,8 +209,9 @@ std::vector<double> voltage_over_spool(const MeasurementNoise& noise, double lef
     return quotients;
 }
 
-/// Judges the thesis's quotient .0086 / .005. Since both values are rounded, the quotient may be from 1.56 to 1.91. The
-/// thesis has a single record for each experiment, so the range of the quotients of single records is judged.
+/// Judges the thesis's quotient .0086 / .005 of the two compliances. Because both values are rounded, the quotient may
+/// be from 1.56 to 1.91. The thesis has a single record for each experiment, so this table judges the range of the
+/// quotients of single records.
 Comparison quotient_comparison(std::uint64_t seed) {
     Comparison comparison{.name =
                               "measured machine, .01 in of offset calibrated, 60 records: C by voltage over C by spool",

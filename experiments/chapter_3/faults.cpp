@@ -19,7 +19,7 @@ using namespace identification;
 namespace {
 
 constexpr std::size_t records_a_fault = 20;
-// This limit was chosen here: a single record with a larger error looks suspicious.
+// A single record with a larger relative error looks suspicious. This limit was chosen here.
 constexpr double off_by = 0.12;
 
 const RecordSource simple_plant{"scenario-a", "low", false}, measured_machine{"excavator", "mid", true},

@@ -80,7 +80,8 @@ struct Curve {
 };
 constexpr std::array<Curve, 3> curves{{{"identified C", 1}, {"half of that C", 0.5}, {"twice that C", 2}}};
 
-// The thesis gives no figure for its "significant difference"; this value was chosen here.
+// The rms difference from which a simulation differs "significantly" from the record. The thesis gives no figure; this
+// value was chosen here.
 constexpr double significant_psi = 80;
 
 /// Another motion, and the greatest rms difference with which its simulation still counts as "excellent". This limit is
@@ -116,8 +117,8 @@ struct OtherRecords {
     std::vector<BoomData> motions; ///< in the order of other_motions
 };
 
-/// Measures the other motions with the last seeds. The first seeds are used to identify the compliance, as a median of
-/// many searches, since a single search may be off by a tenth.
+/// Measures the other motions with the last seeds. The compliance is identified with the first seeds, as a median of
+/// many searches, because a single search may be off by a tenth.
 OtherRecords other_records(BoomPlant plant, const Seeds& seeds) {
     const std::span all(seeds);
     const auto searched = all.first(all.size() - other_motions.size()), others = all.last(other_motions.size());
@@ -151,7 +152,7 @@ Comparison other_comparison(const OtherRecords& other) {
 
 /// Compares the recorded pressure with simulations whose spool is read, or computed from the voltage with a wrong a_0.
 /// As in the thesis, the compliance was also identified from the voltage. The simulation from the voltage cannot reveal
-/// the wrong a_0, since identification and simulation use the same a_0.
+/// the wrong a_0, because identification and simulation use the same a_0.
 Comparison blind_comparison(const Seeds& seeds) {
     BoomData clean = measure(motion_at(4, BoomPlant::simple, no_noise, found_by_spool_in3_per_psi), seeds[0]);
     double lag = lag_that_finds(thesis_in3_per_psi, clean);

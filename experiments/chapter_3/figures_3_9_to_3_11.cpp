@@ -91,8 +91,9 @@ Comparison noise_comparison(const TwoLinkMotion& motion, const Seeds& seeds) {
 
 using StateErrors = std::array<double, InternalStates::count>;
 
-/// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Earlier answers have
-/// not converged: the first answer is found after five generations on five samples.
+/// Returns the greatest error of each state in one search, in percent, from the sixth sample on. Earlier answers are
+/// left out, because the search has not converged: the first answer is found after only five generations on five
+/// samples.
 StateErrors worst_errors(const TwoLinkMotion& motion, const IdentificationWay& way, std::uint64_t seed) {
     const auto [prepared, run] = search_two_links(motion, no_noise, way, seed);
     StateErrors worst{};
@@ -127,8 +128,8 @@ Comparison states_comparison(const TwoLinkMotion& motion, std::uint64_t seed) {
     return comparison;
 }
 
-/// Plots one search without noise over the whole time of Figure 3.9. Once the motion is steady, the gate stops the
-/// search, so the last estimate is kept.
+/// Plots one search without noise over the whole time of Figure 3.9. When the motion is steady, the samples do not
+/// determine the compliances. The gate (ExcitationGate) then stops the search, and the last estimate is kept.
 Plot plot_of_found_states(const TwoLinkMotion& motion, std::uint64_t seed) {
     IdentificationWay way = gray_way();
     way.usable.count = samples_in_figure_3_9;

@@ -137,7 +137,8 @@ Comparison flow_comparison() {
     return comparison;
 }
 
-/// The known standard deviation of the calibrated offset over seeds, from an independent prototype.
+/// The known standard deviation, over the seeds, of the spool's calibrated offset. It comes from an independent
+/// prototype.
 struct KnownScatter {
     const char* name;
     MeasurementNoise noise;
@@ -165,7 +166,7 @@ void add_scatter(Comparison& comparison, const KnownScatter& known, const Seeds&
     comparison.add(plain_cell("  deviation stated in the calibration", known.name, "in", mean(stated), 5));
 }
 
-/// Adds the change of the calibrated offset of a record if k or Q is 1 % wrong.
+/// Adds the change of the calibrated offset of a record if the valve's constant k or the pump's flow Q is 1 % wrong.
 void add_model_errors(Comparison& comparison) {
     BoomData motion = motions_with(0.01, no_noise, {1}).front();
     double right = calibrate(motion, motion.flow).offset_in;
@@ -246,8 +247,8 @@ void add_slow(Comparison& comparison, double offset_in) {
     comparison.add(cell_of("  negative (1: yes)", column, "", negative, fit < 0 ? 1 : 0, 0, 0));
 }
 
-/// Compares the effect of an offset d in scenario B with known values. The effect is about 1050 d / (dP/dt), so it is
-/// greater if the pressure rises more slowly.
+/// Compares the effect of an offset d on the compliance in scenario B with known values. The effect is about 1050 d /
+/// (dP/dt), so it is greater if the pressure rises more slowly.
 Comparison slow_comparison() {
     Comparison comparison{.name = "scenario B, a slower motion, no noise: least squares while the pressure rises",
                           .against = "known",

@@ -37,8 +37,8 @@ IdentificationWay gated(IdentificationWay way) {
 
 IdentificationWay long_way() { return prolonged(thesis_way()); }
 
-/// A generation, and an earlier result of this project without a gate: the percentage of records in which both
-/// compliances are within 10 % in this generation.
+/// A generation, and the known percentage of records in which both compliances are within 10 % in this generation. It
+/// was measured earlier, without a gate that stops the search when the motion is steady.
 struct Known {
     std::size_t generation;
     double percent;
@@ -88,8 +88,8 @@ Comparison low_noise_comparison(const TwoLinkMotion& motion, const Seeds& shown)
 }
 
 /// Returns the generation in which a search loses the answer: after both compliances were right, one of them is off by
-/// more than `percent` from this generation on, for `lost_for` samples in a row. If the search keeps the answer, the
-/// function returns the generation after the last. It returns nullopt if the two compliances are never right together.
+/// more than `percent` from this generation on, for `lost_for` samples in a row. If the search keeps the answer,
+/// returns the generation after the last. If the two compliances are never right together, returns nullopt.
 std::optional<double> lost_from(const SearchRun& run, double percent) {
     std::size_t off = 0;
     bool found = false;

@@ -15,8 +15,8 @@ namespace placedpar {
 namespace {
 
 constexpr std::array machine_alphas{8, 16, 24};
-/// The number of islands of the largest hypercube, and the number of islands of the hybrid, which should become faster
-/// than this hypercube.
+/// The number of islands of the largest hypercube, and of the hybrid, whose islands have slaves. With enough
+/// processors, the hybrid should be faster than this hypercube.
 constexpr int most_islands = 16, hybrid_islands = 4;
 
 std::string alpha_column(int alpha) { return fmt::format("alpha = {}", alpha); }
@@ -56,8 +56,8 @@ double crossover_by_formula(int alpha) {
     return crossover(most_islands, hybrid);
 }
 
-/// Compares the crossovers of the simulation with the crossovers of equation 4.9. Without communication, the two may
-/// differ by one step in the hybrid's size.
+/// Compares the crossovers (see crossover()) of the simulation with the crossovers of equation 4.9. Without
+/// communication, they may differ by one step in the hybrid's size.
 Comparison crossover_table(const StudyReplay& study, const Comparison& ideal, const Comparison& on_t800s) {
     Comparison table{.name = "number of processors from which the hybrid is faster than 16 islands of 6",
                      .against = "(4.9)"};

@@ -24,9 +24,9 @@ constexpr std::array speedup_processors{2, 3, 4, 6, 8, 12, 16, 20, 24, 28};
 /// The factor by which computations are made longer, so that communication is negligible.
 constexpr int speedup_work_alone = 1000;
 
-/// Returns m / s, where s is a slave's share of t_p (equation 4.5) and m is the master's share, such that all
-/// processors work equally long. The master also breeds, so s = m + 1 / alpha. With n slaves, n s + m = 1. It follows
-/// that m / s = (alpha - n) / (alpha + 1).
+/// Returns m / s, the ratio with which all processors work equally long: m is the master's share and s a slave's share
+/// of t_p, the time for evaluating a generation (equation 4.5). The master also breeds, so s = m + 1 / alpha. With n
+/// slaves, n s + m = 1. It follows that m / s = (alpha - n) / (alpha + 1).
 double balanced_share(int alpha, int slaves) { return std::max(0.0, 1.0 * (alpha - slaves) / (alpha + 1)); }
 
 constexpr std::size_t whole_evaluations = 30 * 10; ///< evaluations of a population of 30 in a window of 10
@@ -93,8 +93,9 @@ public:
     /// single processor.
     double speedup(const SpeedupPoint& point) { return rate(point) / alone(point).measured("master[0]", rate_name); }
 
-    /// Returns n t_c2 of equation 4.9, in units of t_s. As in the thesis, n t_c2 is measured in a generation in which
-    /// nothing is evaluated. A generation on one processor takes (alpha + 1) t_s.
+    /// Returns n t_c2 of equation 4.9 (the communication time of a generation), in units of the breeding time t_s. As
+    /// in the thesis, n t_c2 is measured in a generation in which nothing is evaluated. A generation on one processor
+    /// takes (alpha + 1) t_s.
     double communication(const SpeedupPoint& point) {
         return (point.alpha + 1) * run(point).measured("master[0]", "C_time2") /
                alone(point).measured("master[0]", "T_exe");
@@ -195,7 +196,7 @@ struct FormulaSpeedup {
     double tolerance() const { return std::abs(known - whole) + allowed * known; }
 };
 
-/// Returns the efficiency by equation C.2 for the simulated speedup.
+/// Returns the efficiency by equation C.2 (speedup per processor) for the simulated speedup.
 double simulated_efficiency(SpeedupRuns& runs, const SpeedupPoint& point) {
     return formula_c_2(runs.speedup(point), point.processors);
 }

@@ -19,7 +19,7 @@ namespace placedpar {
 namespace {
 
 constexpr std::size_t searchers = 100; ///< points of a population, as in the thesis's single genetic algorithm
-/// `least_step` of a CovarianceAdaptation that keeps exploring.
+/// The lower limit of the step of a CovarianceAdaptation (CMA-ES), with which it keeps exploring.
 constexpr double least_step = 0.02;
 /// Bounds for the additional lag: the lag minus the lag of least squares over the same window, in generations. Genetic
 /// algorithms are claimed to have an additional lag of at least `least_lag_beyond`, and searches over real numbers of
@@ -160,9 +160,9 @@ std::vector<PlantStudy> estimates(const ReplayContext& context, PlantExperiment 
     return studies;
 }
 
-/// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. Without
-/// noise, the genetic algorithms therefore cannot follow a change sooner than least squares, and least squares finds
-/// the unchanged plant nearly exactly.
+/// Judges least squares, which finds the optimum of the genetic algorithms' fitness over the same window. So without
+/// noise, the genetic algorithms cannot follow a change sooner than least squares. Least squares finds the unchanged
+/// plant nearly exactly.
 Comparison judged_optimum(const std::vector<PlantStudy>& exact, const std::vector<PlantStudy>& searched) {
     Comparison comparison{.name = "least squares as the exact optimum, noiseless", .against = "known"};
     const PlantStudy& optimum = exact[1];

@@ -32,7 +32,7 @@ TaskStudy study_islands(const ReplayContext& context, const StaticTask& task) {
 }
 
 /// Tests the claim "as small as 6 without affecting the measured convergence rate", taken to mean "islands of 6 need at
-/// most a tenth more generations than one population". Functions with a target that few runs reach are left out, since
+/// most a tenth more generations than one population". Functions whose target only few runs reach are left out, because
 /// their medians have no meaning.
 std::vector<Claim> maximisation_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;

@@ -39,9 +39,9 @@ std::vector<TrackRow> rows_of(const PlantStudy& study, const std::vector<std::st
 
 /// Tests the claim "Reduced the response delay from 100 generations to 50", taken to mean at least 40 generations less:
 /// 50 as stated, minus 10 for reading the figure by eye. Also tests the claim that with noise the deviation is "very
-/// similar" to window 30, taken to mean at most a third more. A rule must also track better than a random choice of the
-/// island. No rule is expected to gain 40 generations. Only "row" is expected to track better than the random choice,
-/// and its deviation is greater in strong noise.
+/// similar" to window 30, taken to mean at most a third more. Also tests whether a rule tracks better than a random
+/// choice of the island. No rule is expected to gain 40 generations. Only the rule "row" is expected to track better
+/// than the random choice, but with a greater deviation in strong noise.
 std::vector<Claim> claims_of(const PlantStudy& study, const std::string& rule) {
     auto of = [&](const std::string& choice, Tracking figure) { return study.of(study.answer(choice), figure); };
     auto less_delay = [&](const std::string& choice) {

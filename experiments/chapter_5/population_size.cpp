@@ -29,7 +29,7 @@ TaskStudy study_populations(const ReplayContext& context, const StaticTask& task
 }
 
 /// Tests the claim "The global population size plays a significant role", taken to mean "400 individuals need at least
-/// a fifth more evaluations than 100". Functions with a target that few runs reach are left out, since their medians
+/// a fifth more evaluations than 100". Functions whose target only few runs reach are left out, because their medians
 /// have no meaning.
 std::vector<Claim> size_claims(const std::vector<TaskStudy>& studies) {
     std::vector<Claim> claims;

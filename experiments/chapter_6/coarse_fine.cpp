@@ -65,8 +65,8 @@ CoarseTable coarse_table(const ReplayContext& context, const std::string& name, 
     return table;
 }
 
-/// Returns the settings of a pair with this population of each search and this number of bits for each of the five
-/// parameters.
+/// Returns the settings of a pair of a coarse and a fine search. Each search has this population, and this number of
+/// bits for each of the five parameters.
 CoarseFineSettings pair_settings(std::size_t population, std::size_t field_bits) {
     Recoding coarse = plant_reading(field_bits);
     return {plant_settings(population), plant_settings(population), coarse, coarse.bits};
@@ -127,8 +127,8 @@ Comparison landscape_table(const ReplayContext& context) {
     return comparison;
 }
 
-/// Tests the thesis's claim "more than two or three thousands" (6.2). Counts the strings with nearly the best fitness
-/// among the strings that differ only in the 15 "don't care" bits.
+/// Tests the thesis's claim "more than two or three thousands" (6.2). Counts how many of the strings that differ only
+/// in the 15 "don't care" bits have nearly the best fitness.
 Comparison near_optimum_claims(const ReplayContext& context) {
     constexpr double percents[]{99, 95};
     std::vector<Claim> claims;
@@ -166,8 +166,8 @@ Panel table_6_4_panel(const std::string& title, const std::vector<Tally>& tallie
     return panel;
 }
 
-/// Returns the problem's string whose fields alpha and beta have these codes in the reading. These are the two fields
-/// after the delay. The codes of the other fields are 0.
+/// Returns the problem's string for a bred string with these codes in the fields alpha and beta, the two fields after
+/// the delay. The codes of the other fields are 0.
 Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t beta) {
     Genome bred(reading.length());
     bred.set_field(reading.bits[0], reading.bits[1], alpha);
@@ -175,7 +175,7 @@ Genome string_at(const Recoding& reading, std::uint64_t alpha, std::uint64_t bet
     return reading.to_problem(bred);
 }
 
-/// Returns a point for each pair of alpha and beta that a reading can express.
+/// Returns a point for each pair of alpha and beta that the strings of a search can express.
 Series grid(const Recoding& reading, const std::string& name) {
     Series points{.name = name, .stroke = Stroke::points};
     for (std::uint64_t alpha = 0; alpha < std::uint64_t{1} << reading.bits[1]; ++alpha)

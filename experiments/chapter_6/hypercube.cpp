@@ -39,8 +39,8 @@ double binomial(std::size_t of, std::size_t chosen) {
     return count;
 }
 
-/// Returns a cell with the count. It is judged unless `differ` is 0: the count is then 1, for the vertex itself, but
-/// the thesis prints 0.
+/// Returns a cell with the count. The cell is judged, except for `differ` = 0: the count is then 1, the vertex itself,
+/// but the thesis prints 0.
 Cell neighbours_cell(std::size_t bits, std::size_t differ, std::size_t counted) {
     std::string row = fmt::format("neighbours at {} bit{} of difference", differ, differ == 1 ? "" : "s"),
                 column = fmt::format("l = {}", bits);
@@ -148,8 +148,8 @@ constexpr Reach reaches[]{{"one-point", new_by_one_point},
                           {"two-point", new_by_two_point},
                           {"uniform", all_new}};
 
-/// Adds a row for each number of different bits. The row has the greatest number of new vertices that pairs with this
-/// difference reach. If the least number is not the same, it is judged in a cell of its own.
+/// Adds a row for each number of different bits. The row has the greatest number of new vertices that parents with this
+/// difference reach. If the least number is not equal to the greatest, another cell judges it.
 void add_reach(Comparison& comparison, const Reach& reach) {
     Crossover crossover = Crossover::named(reach.crossover);
     std::vector<Extremes> counted(most_counted_bits + 1);

@@ -35,8 +35,8 @@ struct SchemaCounts {
 };
 
 /// The class of a schema in a generation, by the mean fitness of its strings. Each string matches exactly one of the
-/// schemata with the same fixed positions, so these schemata together always have as many strings as the population.
-/// The effect of a generation is therefore visible only if fit and unfit schemata are counted separately.
+/// schemata with the same fixed positions, so all these schemata together always have as many strings as the
+/// population. So the effect of a generation is visible only if fit and unfit schemata are counted separately.
 enum class SchemaFit : unsigned char { above, below }; ///< relative to the mean fitness of the population
 
 /// The counts of schemata above the mean come first: order 1 at index 0, and order 2 at the index of the defining
@@ -182,7 +182,7 @@ Comparison compare_claims(const SchemaStudy& crossed, const SchemaStudy& uncross
 }
 
 /// Divides the number of strings of fit schemata, after crossover and mutation, by the number expected from
-/// reproduction alone. Equation 6.2 guarantees a quotient, which is the reference.
+/// reproduction alone. The reference is the quotient that equation 6.2 guarantees.
 Comparison compare_survival(const SchemaStudy& study) {
     Comparison comparison{.name = "schemata above the mean fitness: number counted / number from reproduction alone",
                           .against = "eq. 6.2"};

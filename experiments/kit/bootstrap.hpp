@@ -7,8 +7,9 @@
 
 namespace placedpar {
 
-/// The least number of runs from which an interval is computed. Even the range from the least to the greatest of five
-/// values contains the true median with a probability of only 1 - 2 / 2^5, which is 94 %.
+/// The least number of runs from which a 95 % interval of the median is computed. Five runs are too few: the range from
+/// the least to the greatest of their values contains the true median with a probability of only 1 - 2 / 2^5, which is
+/// 94 %.
 constexpr std::size_t least_runs_for_interval = 6;
 
 /// Returns the 95 % interval of the median by the bootstrap: the 2.5 and 97.5 % quantiles of the medians of 2,000

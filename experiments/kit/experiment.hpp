@@ -24,18 +24,19 @@ struct NamedDrawing {
 
 /// The results of an experiment of the thesis.
 struct Replay {
-    std::vector<Comparison> comparisons; ///< the first table and every `judged` table decide the result
-    std::string constants = {};          ///< text that says which constants were published, which the netlist states,
-                                         ///< and which were calibrated
+    /// The first table and every `judged` table decide whether the experiment succeeds.
+    std::vector<Comparison> comparisons;
+    /// Text that says for each constant whether it was published, stated by the netlist, or calibrated.
+    std::string constants = {};
     std::vector<hardware::Constant> constant_table = {}; ///< the machine's constants as a list
     std::uint64_t fingerprint = 0;
-    std::vector<NamedPlot> plots = {};       ///< drawn by --plots
-    std::vector<NamedDrawing> drawings = {}; ///< written by --plots
+    std::vector<NamedPlot> plots = {};       ///< plots that the option --plots draws
+    std::vector<NamedDrawing> drawings = {}; ///< other pictures that --plots writes
 
     bool within_tolerance() const { return are_within_tolerance(comparisons); }
 };
 
-/// Returns the replay of an experiment that runs no netlist. The fingerprint is computed from the tables as printed, so
+/// Returns the result of an experiment that runs no netlist. The fingerprint is computed from the tables as printed, so
 /// it does not depend on the last bits of the figures.
 Replay replay_of(std::vector<Comparison> comparisons, std::vector<NamedPlot> plots);
 
@@ -46,10 +47,10 @@ struct ReplayContext {
                                                       ///< end the experiment
     WarningSink warn;                                 ///< called with the warnings of netlists
     Interruption& interruption;                       ///< when requested, ends the runs of netlists
-    StudyResults& results;                            ///< earlier results of a study; new results are added
-    std::size_t seeds = 0;                            ///< number of seeds of a study: see kit/seed_runs.hpp
-    bool printed = false; ///< whether to judge by the figures that the thesis prints, even where other figures are
-                          ///< expected
+    StudyResults& results; ///< results of earlier runs, which are not repeated; new results are added
+    std::size_t seeds = 0; ///< number of seeds of a study: see kit/seed_runs.hpp
+    bool printed = false;  ///< whether to judge by the figures that the thesis prints, even where other figures are
+                           ///< expected
 };
 
 /// An experiment, as its source file describes it: see experiments/README.md.

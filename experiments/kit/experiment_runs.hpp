@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// Thrown if a run does not complete: an incomplete run has no results to compare.
+/// Thrown if a run of an experiment does not complete, because an incomplete run has no results to compare.
 class UnfinishedRun : public std::runtime_error {
 public:
     UnfinishedRun(const std::string& what, RunOutcome how) : std::runtime_error(what), outcome(how) {}

@@ -10,9 +10,11 @@
 
 namespace placedpar {
 
-/// Returns the replay as text: every comparison, the constants, and whether the experiment is within its tolerances.
+/// Returns the result of an experiment as text: every table, the constants, and whether the figures are within their
+/// tolerances.
 std::string print_replay(const Replay&);
-/// Returns the replay as JSON, with everything needed to repeat it. `command` is the command line as typed.
+/// Returns the result of an experiment as JSON, with everything needed to repeat the experiment. `command` is the
+/// command line as typed.
 boost::json::object replay_json(const Replay&, std::string_view experiment, std::uint64_t seed,
                                 const std::string& command);
 

@@ -13,10 +13,10 @@ namespace placedpar {
 /// The results of one run of an experiment, in an order that the experiment defines.
 using Figures = std::vector<double>;
 
-/// Returns the seeds of this replay; their number is ReplayContext::seeds.
+/// Returns the seeds with which the experiment is run; their number is ReplayContext::seeds.
 Seeds seeds_of(const ReplayContext& context);
 
-/// Calls `run` with each seed of the replay, using all cores. Returns the figures in the order of the seeds. Progress
+/// Calls `run` with each seed of seeds_of(), using all cores. Returns the figures in the order of the seeds. Progress
 /// is reported as "WHAT: 12 of 60 seeds", where WHAT is `what`. Runs in ReplayContext::results are not repeated; new
 /// runs are added to these results. REQUIRES: `run` may be called from several threads at once; `what` is unique within
 /// the experiment. If ReplayContext::progress or a run throws, the exception is passed on after the current runs have

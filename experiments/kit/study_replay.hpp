@@ -9,8 +9,9 @@
 
 namespace placedpar {
 
-/// Runs a study of the examples for a replay. The user may have edited the study's file. If the file lacks something
-/// that the replay needs, the functions below throw UserError with the file's name.
+/// Runs a study (a file that describes many runs of a netlist) from the examples, as a part of an experiment. The user
+/// may have edited this file. If the file lacks something that the replay needs, the functions below throw UserError
+/// with the file's name.
 class StudyReplay {
 public:
     /// Makes the runs of the study. `file` is a path below the folder of the examples. Throws RefusedInput, UserError

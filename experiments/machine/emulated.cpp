@@ -136,8 +136,8 @@ double longest_latency_beside(const char* program) { return static_cast<double>(
 
 // Turns
 
-/// In this program, processes that compute become ready after a delay. Then the process `asks` becomes ready and is
-/// queued behind them.
+/// In this program, processes that compute become ready after a delay. Then the process `asks` becomes ready, and has
+/// to wait behind them for its turn.
 constexpr const char* turns = R"(
            ldc {}; stl 2; ldc 0; stl 1
     delay: ldlp 1; ldc over - delay; lend
@@ -196,8 +196,8 @@ double cycles_of_turn(const std::string& body, Word origin = code_on_chip) {
     return cycles_for_each(turns_of_loop, t800.word(4));
 }
 
-/// Returns the rate at which `move` copies, in Mbyte/s. The rate is computed from the difference between the times for
-/// 1024 and 512 bytes.
+/// Returns the rate at which the instruction `move` copies, in Mbyte/s. The rate follows from the difference between
+/// the times for 1024 and 512 bytes, so that fixed costs cancel.
 double move_rate(const char* source, const char* target) {
     const auto cycles = [&](int bytes) {
         return cycles_of_turn(fmt::format("{}; {}; ldc {}; move; ldc 0; ldc 0", source, target, bytes));
@@ -217,8 +217,8 @@ double cycles_of_fetching() {
 
 // Communication
 
-/// P. Welch's program COMMSTIME, as compiled by INMOS's compiler. Four processes pass a number round, and one of them
-/// makes two outputs in parallel.
+/// P. Welch's program COMMSTIME, as compiled by INMOS's compiler. It measures the time of a communication. Four
+/// processes pass a number round, and one of them makes two outputs in parallel.
 constexpr const char* commstime = R"(
            ldc 0; sttimer; mint; stl 3; mint; stl 5; mint; stl 4; mint; stl 2      -- channels a, b, c, d
            ldc delta - one; ldlp -8; startp
@@ -247,7 +247,7 @@ double cycles_of_commstime() {
     return cycles_for_each(10'000, t800.word(5));
 }
 
-/// Sends a transputer, over a link, the bytes that boot it.
+/// Boots a transputer: sends it the bytes of its program over a link.
 class BootBytes final : public transputer::ByteEnd {
 public:
     explicit BootBytes(const Assembly& program) : bytes_{static_cast<std::uint8_t>(program.bytes.size())} {

@@ -58,8 +58,8 @@ public:
         return 1e3 * in_milliseconds(long_time) / static_cast<double>(ticks);
     }
 
-    /// Returns the shortest and the longest turn of a process that computes, for many times at which another process
-    /// becomes ready. The turn lasts until the other process has the processor. The unit is the timeslice period.
+    /// Returns the shortest and the longest turn of a process that computes, in timeslice periods. Another process
+    /// becomes ready at one of many times during the turn. The turn lasts until the other process has the processor.
     std::pair<double, double> shortest_and_longest_turn() {
         std::vector<double> periods;
         for (std::int64_t start = 1; start < 20'480; start += 640)
@@ -175,8 +175,7 @@ constexpr const char* slices = "databook, 1.3: 1 to 2 periods of 1.024 ms";
 constexpr const char* waits = "databook, 1.3: 2n - 2 periods with n - 1 others";
 constexpr const char* cycles_table = "T4 notebook (pahihu/t4)";
 
-/// Compares the shortest and the longest turns and waits with the databook's bounds. The measured extremes must nearly
-/// reach these bounds.
+/// Compares the shortest and the longest turns and waits with the databook's bounds, which they must nearly reach.
 void compare_turns(OneProcessor& t800, Comparison& comparison) {
     auto [shortest, longest] = t800.shortest_and_longest_turn();
     comparison.add(

@@ -63,7 +63,7 @@ void pass_patch(FarmChannel& in, FarmChannel& out) {
         out.out().output(in.in().input());
 }
 
-/// Passes patches on until the tag `stop` arrives, and passes this tag on, too.
+/// Passes patches on until the tag `stop` arrives, which is also passed on.
 void buffer_patches(FarmChannel& in, FarmChannel& out) {
     while (take_tag(in) == FarmTag::patch)
         pass_patch(in, out);
@@ -75,11 +75,12 @@ struct RayFarmSettings {
     RouterCosts router;
 };
 
-/// The farm on its machine. The processes form a line of workers, but the links form a tree. Neighbours in the line may
-/// be twenty links apart, so all their messages are sent in packets.
+/// The farm that renders an image on its machine of transputers. The processes form a line of workers, but the links
+/// form a tree. Neighbours in the line may be twenty links apart, so all their messages are sent in packets.
 class RayFarm {
 public:
-    /// Both costs are calibrated to the published times with 11 workers and with 71 workers.
+    /// The costs of rendering a patch and of passing on a packet. Both costs are calibrated to the published times with
+    /// 11 workers and with 71 workers.
     static constexpr Cycles patch{138'500'000}, packet{4500};
 
     explicit RayFarm(const RayFarmSettings& settings) : settings_(settings) {

@@ -12,7 +12,7 @@
 
 namespace placedpar {
 
-/// Returns whether the file is a study, by its name.
+/// Returns whether the file's name is that of a study, a file of TOML that describes many runs of a netlist.
 bool is_study(const std::filesystem::path&);
 
 /// The options with which a file is checked. Options for other languages have no effect.
@@ -29,14 +29,15 @@ struct CheckedFile {
     std::string summary = "";               ///< a line that summarises the contents; "" if the file has an error
     std::vector<std::string> included = {}; ///< paths of the files that the checked file includes, as far as they are
                                             ///< known
-    NamesOf names = NamesOf::occam;         ///< language of the names in the diagnostics
+    NamesOf names = NamesOf::occam;         ///< language in which the diagnostics name things
 
     bool failed() const { return has_errors(diagnostics); }
 };
 
-/// Reads and checks a netlist, a configuration, a program in occam or a study, according to the file's name; "-" is a
-/// netlist from standard input. For a study, also checks the netlist with the settings of the first run. If a text in
-/// memory replaces a file (text/texts_in_memory.hpp), reads this text. Does not throw for an error of the file.
+/// Reads and checks a netlist, an occam configuration, a program in occam or a study, according to the file's name. "-"
+/// is a netlist from standard input. For a study, also checks the netlist with the settings of the first run. If a text
+/// in memory replaces a file (text/texts_in_memory.hpp), reads this text. Errors of the file are in the result, not
+/// thrown.
 CheckedFile check_file(const std::filesystem::path&, const Catalogue&, const CheckOptions&);
 
 /// Returns {"severity", "file", "line", "column", "end_line", "end_column", "message", "hint", "also"}. Lines and

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// The number of instructions that the compiler makes for a line of occam, and their cycles as `placedpar disassemble`
-/// counts them: each instruction once, with code and data on the chip.
+/// The number of instructions that the compiler makes for a line of occam, and their cycles, which editors show beside
+/// the line. Each instruction counts once, with code and data in the chip's memory, as in `placedpar disassemble`.
 struct LineCycles {
     std::size_t instructions = 0;
     unsigned least = 0, most = 0;

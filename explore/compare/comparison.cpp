@@ -141,8 +141,8 @@ private:
         return vals;
     }
 
-    /// Returns the network with the settings `set`. The other settings stay as they are, since print_cfs() writes them
-    /// into the text.
+    /// Returns the network with the settings `set`. The other settings stay as they are, because print_cfs() writes
+    /// them into the text that is read again.
     static Network with_settings(const Network& network, const Overrides& set) {
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }

@@ -22,13 +22,13 @@ struct StudentRun {
 /// Returns "solved", "wrong output", "deadlock" and so on. `wrong` is the result of what_is_wrong().
 const char* name_of(StudentRun::End, const std::string& wrong);
 
-/// Runs the program of a network with one transputer and a host. No key is pressed, and no file can be used. The run
-/// ends after 10 s of simulated time, or 64 Kbyte of output. If `shuffle` is set, ready processes run in a random
+/// Runs the program of a network with one transputer and a host. The program gets no key and no file from the host. The
+/// run ends after 10 s of simulated time, or 64 Kbyte of output. If `shuffle` is set, ready processes run in a random
 /// order, and `shuffle` is the seed of this order.
 StudentRun run_student_program(const Network&, std::optional<std::uint64_t> shuffle, Interruption&);
 
 /// Describes what is wrong with a run, in a few lines without a newline at the end; returns "" if nothing is wrong.
-/// Blanks at the ends of lines, and empty lines at the end, are ignored.
+/// Ignores blanks at the ends of lines, and empty lines at the end.
 std::string what_is_wrong(const StudentRun&, const std::string& expected);
 
 /// The verdict on a solution of an exercise.
@@ -40,7 +40,8 @@ struct SolutionVerdict {
     /// Returns "solved; ..." or "not solved: ...". REQUIRES: not interrupted.
     std::string text() const;
 };
-/// Runs the program in the usual order of its processes, then in other orders. Stops at the first wrong run.
+/// Runs the program in the usual order of its processes, then in random orders, in which races and deadlocks may show.
+/// Stops at the first wrong run.
 SolutionVerdict check_solution(const Network&, const Exercise&, Interruption&);
 
 } // namespace placedpar

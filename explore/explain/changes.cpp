@@ -22,10 +22,12 @@ constexpr std::size_t most_alone = 10;          ///< largest number of single pa
 constexpr std::size_t most_nodes_in_full = 256; ///< in networks with more nodes, fewer changes are tried
 constexpr std::size_t most_alone_of_many = 3;   ///< replaces `most_alone` in larger networks
 
-/// Attributes of a bus that cost time. The time-out is left out: it only matters if a device does not respond.
+/// Attributes of a bus that cost time. The time-out is not among them, because it matters only if a device does not
+/// respond.
 constexpr std::array bus_times{"cycle", "bytecycle", "grant"};
 
-/// Cycles of a memory access. They are not reduced to 0, which stands for the processor's usual value.
+/// The attribute for the cycles of a memory access. It is never reduced to 0, which stands for the processor's usual
+/// value.
 constexpr const char* memory_cycles = "memorycycles";
 constexpr const char* router_cycles = "router_cycles"; // matters only if channels travel in packets
 constexpr const char* cycles_on_chip = "1";
@@ -63,7 +65,8 @@ std::string array_of(const std::string& name) { return name.substr(0, name.find(
 
 std::string as_array(const std::string& name) { return array_of(name) + (name.find('[') < name.size() ? "[]" : ""); }
 
-/// Returns the names of the at most `most` uses with the longest times that `spent` returns, the longest first.
+/// Returns the names of the parts that were used longest, at most `most` parts, the longest use first. `spent` returns
+/// the time of a use.
 template <class Uses, class Name, class Spent>
 std::vector<std::string> busiest(std::size_t most, const Uses& uses, Name name, Spent spent) {
     std::vector<std::pair<Time, std::string>> by_time;
@@ -111,8 +114,8 @@ private:
         }
     }
 
-    /// Returns whether the change has this factor. In a large network, whose runs take long, neither the smallest nor
-    /// the greatest factor is tried, only the factor between them.
+    /// Returns whether the change has this factor. In a large network, whose runs take long, only the middle factor is
+    /// tried, without the smallest and the greatest.
     static bool is_extreme(const Change& change, const Factor& factor) {
         return change.change == factor.faster || change.change == factor.less;
     }
@@ -245,8 +248,8 @@ private:
         return integer && is_cost(name) && *integer > 0 ? std::optional(*integer) : std::nullopt;
     }
 
-    /// Adds changes that reduce a process's computing time, by those of its parameters that are in cycles. REQUIRES:
-    /// the process shares its processor. For other processes, a faster clock has the same effect.
+    /// Adds changes that reduce the computing time of a process: reductions of its parameters in cycles. REQUIRES: the
+    /// process shares its processor with others. If it is alone on its processor, a faster clock has the same effect.
     void add_process(const ProcessInstance& process) {
         for (const Factor& factor : factors) {
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
@@ -311,8 +314,8 @@ private:
             changes_.push_back(std::move(change));
     }
 
-    /// Returns whether the netlist with these settings declares more processes or processors. A netlist that is refused
-    /// counts, too: the refusal then tells the user why there cannot be more.
+    /// Returns whether the netlist with these settings declares more processes or processors. Returns true also for a
+    /// netlist that is refused, because the refusal tells the user why there cannot be more.
     bool makes_more(const Overrides& set) const {
         Declared then = declared_(set);
         return then.processes > now_.processes || then.processors > now_.processors;

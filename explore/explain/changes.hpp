@@ -10,7 +10,7 @@
 
 namespace placedpar {
 
-/// A change of a netlist, as `placedpar run --set` makes it.
+/// A change of a netlist, as `placedpar run --set` makes it, to find out how much faster the run would be.
 struct Change {
     /// Says what the change affects: all parts of a kind, the processors of an array, a single part or process, a
     /// constant, or the number of processes or processors.
@@ -20,17 +20,16 @@ struct Change {
     Overrides set;
 };
 
-/// Returns what the netlist declares with these settings, even if these settings make the netlist invalid.
+/// A function that returns what the netlist declares with these settings, even if they make the netlist invalid.
 using DeclaredWith = std::function<Declared(const Overrides&)>;
 
 /// Returns the changes worth trying. Processors, links and buses become 10 % faster, twice as fast, and as fast as a
-/// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Each change applies to all parts of a kind, to the processors of an
-/// array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip memory. Constants
-/// in cycles or bytes are reduced by 10 %, halved, and set to 0. The cycles of single processes are reduced in the same
-/// way, for the ten busiest processes that share a processor with others. Constants that determine the number of
-/// processes or processors are raised by one. If the network has more than 256 nodes, only the second of the three
-/// changes (twice as fast, or halved) is tried for each part, and only the three busiest parts of each kind are changed
-/// alone.
+/// netlist allows (1 GHz, 1 Gbit/s, 1 ns per word). Each of these changes applies to all parts of a kind, to the
+/// processors of an array's processes, or to one of the ten busiest parts of a kind. Memory becomes as fast as on-chip
+/// memory. Constants in cycles or bytes are reduced by 10 %, halved, and set to 0. The cycles of single processes are
+/// reduced in the same way, for the ten busiest processes that share a processor with others. Constants that determine
+/// the number of processes or processors are raised by one. In a network of more than 256 nodes, the changes are only
+/// "twice as fast" and "halved", and only the three busiest parts of each kind are changed alone.
 std::vector<Change> changes_of(const Network&, const RunReport&, const DeclaredWith&);
 
 } // namespace placedpar

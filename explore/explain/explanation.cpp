@@ -212,7 +212,8 @@ std::string print_kinds_of_time(const Explanation& explanation) {
     return out.empty() ? "" : fmt::format("  on the critical path: {}\n", out);
 }
 
-/// The groups of changes. The verdict names the best change of each group.
+/// The groups of changes: everything of a kind faster, a single part faster, more processes or processors, the fastest
+/// links. The verdict names the best change of each group.
 enum class Group { everything, part, number, links, none };
 
 Group group_of(const Change& change) {
@@ -227,7 +228,8 @@ Group group_of(const Change& change) {
 
 /// Prints the activities on the critical path, then the changes with gains, the greatest gain first. Prints only the
 /// best change of each of three groups: all parts of a kind twice as fast; a single part twice as fast; links as fast
-/// as the language allows. Each number of processes is printed if raising it by one shortens the run.
+/// as the language allows. Also prints each number of processes or processors that shortens the run if it is raised by
+/// one.
 std::string print_verdict(const Explanation& explanation) {
     Time whole = explanation.report.result.time;
     std::string out = print_kinds_of_time(explanation);

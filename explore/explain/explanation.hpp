@@ -13,13 +13,13 @@ namespace placedpar {
 /// Explains why a run took as long as it did.
 struct Explanation {
     RunReport report;
-    std::map<std::string, Account> accounts; ///< key: name of the process
+    std::map<std::string, Account> accounts; ///< by process name: what the process spent its time on
     /// Time that senders waited for receivers. The key is one direction of a link, "a.link[0] -> b.link[1]".
     std::map<std::string, Time> waits_at_links;
     std::vector<PathPart> path;
-    bool path_too_long = false;  ///< the path was too long to keep
-    std::vector<Answer> answers; ///< in the order of try_out()
-    std::size_t left_out = 0;    ///< changes that an interruption left untried
+    bool path_too_long = false;  ///< the critical path was too long to keep
+    std::vector<Answer> answers; ///< effects of changes, in the order of try_out()
+    std::size_t left_out = 0;    ///< number of changes that an interruption left untried
     std::string not_tried = "";  ///< why no change was tried although changes were asked for; "" otherwise
 };
 

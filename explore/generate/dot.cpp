@@ -89,7 +89,7 @@ private:
         return word;
     }
 
-    /// Reads strings in quotes, joined by "+".
+    /// Reads a string in quotes, or several such strings that are joined by "+".
     std::string quoted() {
         std::string text;
         do {

@@ -30,18 +30,19 @@ struct Graph {
     std::vector<GraphEdge> edges;
 };
 
-/// These limits bound the time that hostile input can take; generated machines stay below them.
+/// These limits bound the time and memory that hostile input can take.
 inline constexpr std::size_t most_graph_elements = 100'000; ///< nodes and edges together
 inline constexpr std::size_t deepest_graph = 64;            ///< how deeply elements, brackets or subgraphs may be
                                                             ///< nested
-/// The largest number of attributes, including copies of default attributes. A long attribute counts once for each
+/// The largest number of attributes, including copies of default attributes. A long attribute counts as one for each
 /// hundred bytes.
 inline constexpr std::size_t most_graph_attributes = 10 * most_graph_elements;
 
-// These functions read a graph. They throw RefusedText, which shows the place of the error.
+// These functions read the graph of a machine: nodes are processors, edges are wires. They throw RefusedText, which
+// shows the place of the error.
 
 /// Reads GraphML, as networkx and yEd write it. Data of nodes and edges become attributes. Nodes inside a group become
-/// nodes; the group itself does not.
+/// nodes of the graph; the group is ignored.
 Graph read_graphml(const std::shared_ptr<const SourceFile>&);
 /// Reads a graph in DOT, the language of Graphviz. Ports, and attributes of whole graphs, are ignored.
 Graph read_dot(const std::shared_ptr<const SourceFile>&);
@@ -59,7 +60,8 @@ public:
     std::size_t node(const std::string& name, std::size_t line);
     bool has(const std::string& name) const { return numbers_.contains(name); }
     void add_edge(GraphEdge);
-    /// Counts attributes that are about to be copied. Throws RefusedText if there are too many.
+    /// Counts attributes that are about to be copied. Throws RefusedText if the graph would have more than
+    /// most_graph_attributes.
     void count_copy(const GraphAttributes&, std::size_t line);
     Graph& graph() { return graph_; }
 

@@ -43,7 +43,7 @@ void require_equal(const GraphEdge& edge, const GraphEdge& opposite, const std::
     }
 }
 
-/// Joins pairs of edges in opposite directions, since one link carries both directions.
+/// Joins pairs of edges in opposite directions, because one link carries both directions.
 void join_directions(Graph& graph, const std::shared_ptr<const SourceFile>& file) {
     std::multimap<std::pair<std::size_t, std::size_t>, std::size_t> single; // edges without an opposite edge so far
     std::vector<GraphEdge> kept;
@@ -165,7 +165,8 @@ public:
     }
 
 private:
-    /// Finds the type of the processors. All processors have the same type, since they are elements of one array.
+    /// Finds the type of the processors. All processors must have the same type, because they are elements of one
+    /// array.
     void find_type() {
         std::set<std::string> types;
         for (const GraphNode& node : graph_.nodes) {

@@ -10,13 +10,14 @@ namespace placedpar::generate {
 
 namespace {
 
-/// The workload of examples/thesis/workload.inc, which assumes that Table E.1 was measured with a population of 120.
+/// The computing costs of examples/thesis/workload.inc, which assumes that Table E.1 was measured with a population of
+/// 120.
 constexpr const char* workload =
     R"(val cycles_per_error 1440;      /* Table E.1: one individual's error at one sample */
 val cycles_per_individual 1750; /* the genetic operators, for one individual */
 )";
 
-/// Parameters that masters and islands share.
+/// Returns the parameters that both masters and islands have.
 std::string costs(const ProblemStatements& problem) {
     return "population = population, cycles_per_error = cycles_per_error,\n"
            "        cycles_per_individual = cycles_per_individual, " +
@@ -27,7 +28,7 @@ std::string host_process(const ProblemStatements& problem) {
     return fmt::format("process host;\nuse \"ga.host\" for host;\nhost ({});\n", problem.host);
 }
 
-/// Returns the parameters that suit the record of a problem.
+/// Returns the parameters for the generations per sample and the bias that suit the problem's measurements.
 std::string advised(const RecordAdvice& advice) {
     std::string text = advice.trials == 0 ? "" : fmt::format(", trials = {}", advice.trials);
     return advice.bias == 0 ? text : text + fmt::format(", bias = {:g}", advice.bias);

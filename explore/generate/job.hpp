@@ -10,7 +10,7 @@ class RecordedProblem; // gaprocs/problem_registry.hpp
 
 namespace placedpar::generate {
 
-/// The processes of a netlist and their placement on the array `t` of processors.
+/// The processes of a generated netlist, and their placement on its processors, the array `t`.
 struct Job {
     bool has_host = false;  ///< whether there is a process `host`, which the netlist must place
     std::string about;      ///< a description, such as "Islands: one on every processor. ..."
@@ -18,7 +18,7 @@ struct Job {
     std::string statements; ///< other statements, in lines with a newline
 };
 
-/// The statements that set the search problem of a job's processes.
+/// The netlist statements by which the processes of a job get their search problem.
 struct ProblemStatements {
     std::string vals;   ///< declarations of constants, in lines with a newline
     std::string host;   ///< parameters of the host
@@ -26,13 +26,14 @@ struct ProblemStatements {
     std::string each;   ///< parameters of each process that has a parameter "problem": "", or "problem = problem"
 };
 
-/// Returns the statements for the problem that `name` names; for the default problem if `problem` is null.
+/// Returns the statements for the problem `name`; for the default problem if `problem` is null.
 ProblemStatements statements_of(const std::string& name, const RecordedProblem* problem);
 
-/// Places a master, and a slave on every other processor. Channels to slaves that are not neighbours of the master are
-/// routed through other processors.
+/// Places a master on the first processor, and a slave on every other processor. Channels to slaves that are not
+/// neighbours of the master are routed through other processors.
 Job farm(const Topology&, const ProblemStatements&);
-/// Places an island on every processor; islands on neighbouring processors exchange individuals.
+/// Places an island, a search that exchanges individuals with its neighbours, on every processor. Islands on
+/// neighbouring processors are neighbours.
 Job islands(const Topology&, const ProblemStatements&);
 /// In the topology `figure-e2`, places an island on the head of each chain, and its slaves along the chain.
 Job islands_with_slaves(const ProblemStatements&);

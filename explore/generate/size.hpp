@@ -7,8 +7,8 @@
 
 namespace placedpar::generate {
 
-/// Returns the number that --size gives for a one-dimensional topology. Throws UserError unless --size is a number from
-/// `least` to `most_processors`.
+/// Returns the number of processors that the option --size gives for a one-dimensional topology. Throws UserError
+/// unless --size is a number from `least` to `most_processors`.
 std::size_t count_of(const TopologyRequest&, std::size_t least);
 
 /// The size of a two-dimensional topology: 4 and 4 for --size 4x4.

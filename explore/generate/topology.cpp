@@ -52,7 +52,7 @@ Topology tree(const TopologyRequest& request) {
                        {"[i]", "0", "0"}}}};
 }
 
-/// Makes a mesh of three dimensions. A node needs six links, so it consists of two processors: number 0 has the wires
+/// Makes a mesh of three dimensions. A node needs six links, so it consists of two processors. Number 0 has the wires
 /// along the columns and to the previous row, number 1 the wires to the next row and along the planes.
 Topology mesh_of_pairs(const TopologyRequest& request) {
     const Box box = box_of(request);
@@ -97,7 +97,7 @@ Topology mesh(const TopologyRequest& request) {
             .host = {"", "0", "[0][0]", "1"}};
 }
 
-/// Makes a torus. In a row or column of two processors, one wire joins the processors, not two.
+/// Makes a torus. In a row or column of two processors, only one wire joins the processors.
 Topology torus(const TopologyRequest& request) {
     Grid grid = grid_of(request, 2, 2);
     bool full = grid.rows > 2 && grid.columns > 2;

@@ -11,17 +11,19 @@ namespace placedpar::generate {
 struct WireEnd {
     std::string at;   ///< subscripts of the processor at this end, "[r][c + 1]"
     std::string link; ///< number of the link, "1"
-    std::string port; ///< subscript of the port to this neighbour; the ports of a process are numbered 0, 1, 2 ...
+    std::string port; ///< subscript of the process port for the channel along this wire; the ports of a process are
+                      ///< numbered 0, 1, 2 ...
 };
 
-/// Wires, one for each iteration of the loops.
+/// A group of wires, one for each iteration of the loops.
 struct Wires {
     std::vector<std::string> loops; ///< "rep r = 0 for rows", the outermost first
     WireEnd from, to;
-    std::string name = ""; ///< name of the wire's `connection`; "" for a wire without attributes
+    std::string name = ""; ///< name of the wire in a statement `connection`, which gives it attributes; "" for a wire
+                           ///< without attributes
 };
 
-/// The wires from the workstation to the processors of a topology.
+/// The wires from the workstation (node `sun`) to the processors of a topology.
 struct HostWires {
     std::string loop = "";  ///< "" if there is only one wire
     std::string sun = "0";  ///< number of the workstation's link
@@ -40,7 +42,7 @@ struct Topology {
     std::string at = "[i]";        ///< subscripts of processor number i, "[i / columns][i % columns]"
     std::vector<Wires> wires = {};
     HostWires host = {};
-    std::string no_host = "";    ///< why no link is left for a wire to the host; "" if a link is left
+    std::string no_host = "";    ///< why no link is free for a wire to the host; "" if a link is free
     std::size_t nodes = 0;       ///< number of processors
     std::string type = "T800";   ///< type of the processors
     std::string attributes = ""; ///< statements with attributes of single processors and wires; lines with a newline

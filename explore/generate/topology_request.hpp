@@ -10,14 +10,15 @@ namespace placedpar::generate {
 struct TopologyRequest {
     std::string topology;                ///< one of names_of_topologies(), or a file with a graph
     std::string size;                    ///< "8" (processors), or "4x4" (rows and columns); "" for a file
-    bool split = false;                  ///< builds a node of more than four edges from two processors
+    bool split = false;                  ///< whether a node of more than four edges is built from two processors
     std::optional<std::size_t> branches; ///< number of branches of each node of a tree
     std::optional<std::size_t> chord;    ///< length of the chords of a chordal ring, in processors
-    std::optional<std::size_t> degree;   ///< degree of a chordal ring: 3 or 4
-    std::string job = "islands";         ///< "farm", "islands", or a kind of process for every processor
-    std::string problem;                 ///< search problem, such as "rastrigin(dimensions = 10)"; "": the default
-    std::string host =
-        "workstation"; ///< where the host's process runs: "workstation", or "node" for the first processor
+    std::optional<std::size_t> degree;   ///< number of links of each processor in a chordal ring: 3 or 4
+    /// The processes: "farm", "islands", or a kind of process, of which one runs on every processor.
+    std::string job = "islands";
+    std::string problem; ///< search problem, such as "rastrigin(dimensions = 10)"; "": the default
+    /// Where the host's process runs: "workstation", or "node" for the first processor.
+    std::string host = "workstation";
     std::string output = "to_neighbours", input = "from_neighbours"; ///< names of the kind's port arrays
 };
 

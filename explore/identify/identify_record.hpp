@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// Chooses the way of identification (IdentifySettings::way) if none was given. Throws UserError for numbers out of
-/// range, and for settings that have no effect with the way.
+/// Chooses the way of identification (IdentifySettings::way), that is, how an excavator's fluid compliances are found
+/// in a record, if none was given. Throws UserError for numbers out of range, and for settings that have no effect in
+/// this way.
 void settle_way(IdentifySettings&);
 
 /// Evaluates a record in the way that the settings name. Throws RefusedInput, UserError or UnfitRecord. REQUIRES:

@@ -18,10 +18,12 @@ namespace placedpar {
 
 // The ways to identify compliances (ways.hpp) use these functions.
 
-/// Reads links by name, separated by commas. Throws UserError for an unknown link, and for a link that is named twice.
+/// Reads links of the excavator, such as the boom, by name, separated by commas. Throws UserError for an unknown link,
+/// and for a link that is named twice.
 hydraulics::LinkSet links_of(const std::string& links);
 
-/// Replaces the settings of a way by the given settings. Way: DiagnosisSettings or IdentificationWay.
+/// Replaces the settings of a way of identification by the settings that the user gave. Way: DiagnosisSettings or
+/// IdentificationWay.
 template <class Way>
 void change_way(Way& way, const IdentifySettings& given) {
     way.bits = given.bits.value_or(way.bits);
@@ -37,9 +39,9 @@ hydraulics::Side side_asked(const IdentifySettings& settings);
 /// Reads a number of inches. Throws UserError for anything else.
 double offset_asked(const std::string& text);
 /// Returns the channels of the record that each link needs: the pressure of the chosen side, the angle, and the
-/// channels from which the areas of the valve's orifices are computed (hydraulics::AreasFrom). Columns have the names
-/// that `columns` and `columns_from` of the settings give. `links` receives the channels that are present and returns
-/// the links to identify.
+/// channels from which the areas of the valve's orifices are computed (hydraulics::AreasFrom). The settings `columns`
+/// and `columns_from` give the names of the record's columns. `links` is a function that receives the channels of the
+/// record, and returns the links to identify.
 hydraulics::RecordNeeds needs_of(const IdentifySettings& settings,
                                  std::function<hydraulics::LinkSet(const hydraulics::ChannelSet&)> links);
 

@@ -23,7 +23,7 @@ using namespace identification;
 
 namespace {
 
-/// Returns the way, with the user's settings in place of its defaults.
+/// Returns the way of identification, with the user's settings in place of its defaults.
 IdentificationWay way_of(const IdentifySettings& settings, IdentificationWay way) {
     change_way(way, settings);
     if (!settings.coding.empty())
@@ -135,7 +135,7 @@ boost::json::object cost_json(const SearchCost& cost) {
             {"t800_16_s", cost.seconds_on_16}};
 }
 
-/// The results of begin(): the work that both ways, "thesis" and "whole", do before their searches.
+/// The results of begin(), which does the work before the search for both ways of identification, "thesis" and "whole".
 struct Begun {
     Case asked;
     ComplianceSearch prepared;

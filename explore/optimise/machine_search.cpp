@@ -72,7 +72,8 @@ std::vector<Genome> MachineSearch::first_population() {
     return population;
 }
 
-/// Returns the front_fitness() of the machines; a machine that occurs several times counts only once.
+/// Returns the front_fitness() of the machines. If a machine occurs several times, all but the first count as
+/// infeasible.
 std::vector<double> MachineSearch::fitness_of(const std::vector<std::uint64_t>& machines) {
     std::vector<Merit> merits;
     std::set<std::uint64_t> seen;

@@ -11,12 +11,12 @@
 
 namespace placedpar {
 
-/// The machines that a search chooses from: a study's combinations, each identified by its number in the study's
-/// product. A genome has a field of bits for each setting that has several values; the field's codes are spread evenly
-/// over these values.
+/// The machines among which a search finds the best: a study's combinations of settings. Each machine is identified by
+/// its number in the study's product. A genome has a field of bits for each setting that has several values. The codes
+/// of the field are spread evenly over these values.
 class MachineSpace {
 public:
-    /// Throws UserError if the study has several products (a genome cannot code them), only one machine, or more
+    /// Throws UserError if the study has several products, which a genome cannot code, only one machine, or more
     /// machines than 64 bits can count. REQUIRES: the study outlives this object, and has a product.
     explicit MachineSpace(const Study&);
 
@@ -28,7 +28,7 @@ public:
 
     /// Returns the names of the settings that have several values.
     std::vector<std::string> names() const;
-    /// Returns the settings that all machines share.
+    /// Returns the settings that are equal in all machines.
     Overrides fixed() const;
 
     std::size_t bits() const { return coding_.bits(); }

@@ -24,14 +24,15 @@ struct Trial {
                             ///< missing measure
 };
 
-/// Returns a study that runs only these settings.
+/// Returns a copy of the study that runs only these settings.
 Study study_of(const Study&, const std::vector<Overrides>& all);
 
-/// Runs machines with every seed of the study. Keeps the runs in the results, as a sweep does, so that no run is made
-/// twice. The result of a machine depends neither on when it is tried nor on other machines.
+/// Runs machines (combinations of a netlist's settings) for a search, with every seed of the study. Keeps the runs in
+/// the results, so that no run is made twice. The result of a machine depends neither on when the machine is tried nor
+/// on other machines.
 class MachineTrials {
 public:
-    /// REQUIRES: the arguments outlive this object; the study has a search.
+    /// REQUIRES: the arguments outlive this object; Study::search has a value.
     MachineTrials(const Study&, const MachineSpace&, StudyResults&, std::size_t workers, Interruption&);
 
     /// Makes the missing runs, and calls `show` from time to time with the number of runs made. Returns false if
@@ -42,8 +43,8 @@ public:
     /// Makes the missing runs with these settings, and returns their trial. Returns nothing if interrupted.
     std::optional<Trial> of(const Overrides& settings);
 
-    /// Throws UserError if runs have completed, but at least one of the measures to be minimised appeared in none of
-    /// them. The message lists the measures of a completed run.
+    /// Throws UserError if runs have completed, but no completed run has one of the measures to be minimised. The
+    /// message lists the measures of a completed run.
     void require_measures() const;
 
 private:

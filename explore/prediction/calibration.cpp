@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::size_t individuals = 20; // in each search that is measured
 
-/// The process kinds that one thread uses, with the problems that the kinds refer to. No two threads share them.
+/// The process kinds that one thread uses, with the problems to which the kinds refer. Each thread has its own.
 struct KindsToMeasure {
     ProblemRegistry problems = known_problems(1);
     Catalogue catalogue = known_kinds(problems);

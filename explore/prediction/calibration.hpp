@@ -10,8 +10,8 @@ namespace placedpar {
 
 class Ranks; // ranks/ranks.hpp
 
-/// The median of repeated measurements, in nanoseconds. `low` and `high` enclose the true median with a probability of
-/// at least 95 %, for independent measurements (order statistics).
+/// The median of repeated measurements, in nanoseconds. If the measurements are independent, `low` and `high` enclose
+/// the true median with a probability of at least 95 % (by order statistics).
 struct MeasuredCost {
     double median = 0, low = 0, high = 0;
 };
@@ -21,12 +21,14 @@ MeasuredCost cost_of(std::vector<double> nanoseconds);
 
 /// The cost of a search on one thread.
 struct ProblemCost {
-    std::string problem;     ///< as in `problem = "..."`
-    MeasuredCost error;      ///< computing an individual's error at one sample, or its objective
-    MeasuredCost individual; ///< the rest of a generation, mostly breeding, for each individual
+    std::string problem; ///< as in `problem = "..."`
+    MeasuredCost error;  ///< time for an individual's error at one sample of measurements, or for its objective
+    /// Time for the rest of a generation, mostly breeding, divided by the number of individuals.
+    MeasuredCost individual;
 };
 
-/// The costs of messages in native runs.
+/// The costs of messages in native runs, that is, runs of a netlist's processes on this computer without simulating a
+/// machine.
 struct MessageCosts {
     MeasuredCost switching;      ///< switch from one process to the next
     MeasuredCost there_and_back; ///< a message there and back between two processes of one thread or rank
@@ -34,21 +36,21 @@ struct MessageCosts {
     MeasuredCost kilobyte;       ///< 1024 bytes of a message between two threads or ranks
 };
 
-/// The costs of native runs on this computer.
+/// The costs of native runs on this computer, from which the times of such runs are predicted.
 struct Calibration {
     std::string processor; ///< the name of this computer's processor
     std::string date;      ///< "2026-11-29"
     std::size_t repetitions = 0;
     MessageCosts threads;
     MeasuredCost across_asleep; ///< a message there and back between two threads that sleep
-    MeasuredCost
-        string; ///< packing and unpacking an individual in a task and in the result, without the message itself
+    /// Packing and unpacking an individual in the messages to and from a slave, without sending these messages.
+    MeasuredCost string;
     std::vector<ProblemCost> problems;
-    std::optional<MessageCosts> ranks; ///< set if ranks were measured
-    MeasuredCost oversleeping;         ///< how much longer a pause of a rank lasts than requested
+    std::optional<MessageCosts> ranks; ///< set if the messages between ranks of mpirun were measured
+    MeasuredCost oversleeping;         ///< how much longer than requested a pause of a rank lasts
 
-    /// Returns whether threads or ranks that are awake take so long to answer that they fall asleep. This happens if
-    /// other programs use the cores; the costs then predict nothing.
+    /// Returns whether the costs predict nothing, because threads or ranks took so long to answer that they fell
+    /// asleep. This happens if other programs use the cores.
     bool is_disturbed() const;
 };
 
@@ -59,8 +61,8 @@ struct CalibrationSettings {
     }; ///< called with the name of the next measurement
     /// Called between measurements; the measurement ends if it returns true.
     std::function<bool()> is_interrupted = [] { return false; };
-    /// Two ranks of mpirun, between which messages are measured, too; null: only threads are measured. REQUIRES: this
-    /// is rank 0, and rank 1 calls help_to_measure().
+    /// Two ranks of mpirun, whose messages are also measured; null: only threads are measured. REQUIRES: this is rank
+    /// 0, and rank 1 calls help_to_measure().
     Ranks* ranks = nullptr;
 };
 
@@ -68,15 +70,15 @@ struct CalibrationSettings {
 /// problem.
 Calibration measure_computer(const CalibrationSettings&);
 
-/// Takes part in the measurements of rank 0. Returns when rank 0 has finished.
+/// Takes part in the measurements of rank 0 as the other end of its messages. Returns when rank 0 has finished.
 void help_to_measure(Ranks&);
 
-/// Returns the text of a file that netlists can include. The file describes the computer: a type `this_core` of nodes,
-/// a type `this_memory` through which cores communicate, and constants (`val`) for the costs of searches. If ranks were
-/// measured, also the types `this_rank` and `this_network`.
+/// Returns the text of a file that netlists can include to describe this computer. The file has a type `this_core` of
+/// nodes, a type `this_memory` through which cores communicate, and constants (`val`) for the costs of searches. If
+/// ranks were measured, it also has the types `this_rank` and `this_network`.
 std::string print_calibration(const Calibration&);
 
-/// Cycles of `this_core` in a nanosecond.
+/// The clock of `this_core`, in cycles per nanosecond.
 inline constexpr double cycles_in_a_nanosecond = 10;
 
 /// Returns the name of the constant (`val`) that holds the cost of a problem, such as "error_costly_work_100" for the

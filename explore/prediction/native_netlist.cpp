@@ -131,7 +131,7 @@ Node node_of(const Catalogue& devices, std::string_view model, std::string type,
     return node;
 }
 
-/// The words that name threads, or the words that name ranks.
+/// The words of messages and netlists for threads, or for ranks of mpirun.
 struct PlaceWords {
     native::Places places; ///< the words in messages
     const char *node, *core, *memory;

@@ -18,13 +18,14 @@ struct PredictedPlaces {
     std::size_t count = 1; ///< at least 1
 };
 
-/// Describes a native run of the network on these places, as a netlist that can be simulated: the places become cores,
-/// and their costs and the costs of the searches come from `calibration`, a file that print_calibration() has made.
-/// Computations of processes that do not search take no time: a native run does not wait for the simulated cycles.
-/// There are at most as many threads as nodes with processes.
+/// Describes a native run of the network on these places, as a netlist whose simulation predicts the time of the run. A
+/// native run executes the processes on this computer, without simulating the machine. The places become cores. Their
+/// costs and the costs of the searches come from `calibration`, a file that print_calibration() has made. Computations
+/// of processes that do not search take no time, because a native run does not wait for the simulated cycles. There are
+/// at most as many threads as nodes with processes.
 ///
-/// Throws UserError if the network cannot run natively on these places, if the file cannot be read, or if the file has
-/// no costs of ranks or of a problem.
+/// Throws UserError if the network cannot run natively on these places, if the file cannot be read, or if the file
+/// lacks the costs of ranks or of a problem.
 std::string native_netlist(const Network&, const PredictedPlaces&, const std::filesystem::path& calibration);
 
 /// Returns whether the file has the costs of places of this kind. Throws as native_netlist() does.

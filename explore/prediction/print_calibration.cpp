@@ -31,7 +31,7 @@ double waking_ns(const Calibration& c) {
 }
 
 /// Returns the number of bytes for which copying an individual takes as long in the model as in the measurement. The
-/// model copies them four times, at 1.5 cycles a byte: into and out of the task, into and out of the result.
+/// model copies each byte four times, at 1.5 cycles: into and out of the task, into and out of the result.
 std::int64_t string_bytes(const Calibration& c) {
     constexpr double copies = 4 * 1.5;
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);

@@ -10,12 +10,12 @@
 
 namespace placedpar {
 
-/// A single value, or the values of a range, which are computed when needed.
+/// One part of a study's setting: a single value, or the values of a range.
 class StudyValues {
 public:
     /// Reads the values of the setting `name`: "5M", "0..7", "0..100..10" (steps of 10) or "1..64..x2" (each value is
-    /// twice the value before). A range is ascending. The upper end of a range is one of its values if a step reaches
-    /// it exactly. Throws UserError if the range is empty or its ends are not numbers.
+    /// twice the preceding value). A range is ascending. It includes its upper end if a step reaches this end exactly.
+    /// Throws UserError if the range is empty or its ends are not numbers.
     StudyValues(const std::string& name, std::string_view text);
 
     std::uint64_t count() const { return count_; }
@@ -37,7 +37,8 @@ private:
     std::uint64_t count_ = 1;
 };
 
-/// A constant (`val`), attribute or parameter that a study varies, named as for --set, with its values.
+/// A setting that a study varies, with its values. A setting is a constant (`val`), attribute or parameter of the
+/// netlist, named as in the option --set.
 struct StudyAxis {
     std::string name;
     std::vector<StudyValues> parts;
@@ -53,8 +54,8 @@ struct StudyAxis {
 /// Reads an axis such as "slaves=0..7,10". Commas separate its parts, except within quotes, parentheses or braces.
 /// Throws UserError.
 StudyAxis read_axis(const std::string& text);
-/// Reads the parts after the `=`, without single values that are equal to earlier single values. Throws UserError with
-/// the name of the axis.
+/// Reads the parts after the `=`. Leaves out single values that are equal to earlier single values. Throws UserError
+/// with the name of the axis.
 std::vector<StudyValues> read_values(const std::string& name, const std::string& text);
 
 } // namespace placedpar

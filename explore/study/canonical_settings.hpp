@@ -8,8 +8,9 @@
 
 namespace placedpar {
 
-/// Chooses one spelling for all values of a setting with the same meaning: the study's spelling if the study has the
-/// value, otherwise the spelling in the first run that has it.
+/// Chooses one spelling for all values of a setting with the same meaning, such as 8 and 8.0, so that tables list the
+/// value once. This is the study's spelling if the study has the value, otherwise the spelling in the first run with
+/// the value.
 class CanonicalSettings {
 public:
     /// REQUIRES: both arguments outlive this object.

@@ -9,12 +9,13 @@
 
 namespace placedpar {
 
-/// An expression of the netlist language. Its names are settings of a study, as in `slaves * clusters <= 16`, or
-/// figures of the study's runs. The setting `master.trials` is called `trials`. In a comparison with a clock or the
-/// speed of a link, 20M is 20 million. Copies share the parsed expression: only one thread at a time may evaluate it.
+/// An expression of the netlist language, as a study uses it for conditions and table entries. Its names are settings
+/// of a study, as in `slaves * clusters <= 16`, or figures of the study's runs. The setting `master.trials` is called
+/// `trials`. In a comparison with a clock or the speed of a link, 20M is 20 million. Copies share the parsed
+/// expression, so only one thread at a time may evaluate an expression or its copies.
 class StudyExpression {
 public:
-    /// Numbers by name; a setting of the same name takes precedence.
+    /// Numbers by name. A setting with the name of a figure takes precedence.
     using Figures = std::map<std::string, double>;
 
     /// Parses the expression; "" gives an empty expression. Throws RefusedInput.

@@ -9,7 +9,7 @@
 
 namespace placedpar {
 
-/// The meanings of the names in a table's expressions.
+/// The meanings of the names in the expressions of a study's table, by which wrong and ambiguous names are found.
 class FigureNames {
 public:
     /// `meaning` describes in messages what the name stands for: "the row above".
@@ -18,8 +18,7 @@ public:
     void add_settings(const Overrides&);
     void add_measures(const std::vector<std::string>&);
 
-    /// Throws UserError if a name in the expression has no meaning, or several meanings, in this object and `other`
-    /// taken together.
+    /// Throws UserError if a name in the expression has no meaning in this object and `other`, or several meanings.
     void require(const StudyExpression&, const FigureNames& other) const;
 
 private:

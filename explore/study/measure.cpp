@@ -52,9 +52,9 @@ std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::stri
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }
 
-/// Returns the description that a process's kind gives of a measurement. The figures do not name the kind, so the kind
-/// that describes most of the process's other measurements is assumed. Returns "" if this kind does not describe the
-/// measurement.
+/// Returns the description that a process's kind gives of a measurement. The figures do not name the kind. So the kind
+/// is assumed that describes the most of the process's other measurements. Returns "" if this kind does not describe
+/// the measurement.
 std::string description_of(const std::string& name, const std::set<std::string>& measured, const Catalogue& kinds) {
     std::ptrdiff_t most = 1;
     for (const auto& each : kinds.kinds())
@@ -67,8 +67,8 @@ std::string description_of(const std::string& name, const std::set<std::string>&
     return "";
 }
 
-/// Returns the kind's description of a measure that the process of this name did not take, although it took others; ""
-/// if the process did take the measure, or if no kind describes it.
+/// Returns the description of a measurement that the process of this name can make, but did not make in this run.
+/// Returns "" if the process made the measurement, or if no kind describes it.
 std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures) {
     std::string name = measure.name_without_subscripts(), process = name.substr(0, name.rfind('.') + 1);
     name = name.substr(process.size());
@@ -80,7 +80,8 @@ std::string not_come_to(const StudyMeasure& measure, const StudyFigures& figures
     return measured.empty() || measured.contains(name) ? "" : description_of(name, measured, known_kinds(problems));
 }
 
-/// Returns the numbers of a JSON text outside of its strings. Boost.JSON 1.81 reads the last bit of some numbers wrong.
+/// Returns the numbers of a JSON text outside of its strings. It is needed because Boost.JSON 1.81 reads the last bit
+/// of some numbers wrong.
 std::vector<double> numbers_outside_of_strings(const std::string& json) {
     std::vector<double> numbers;
     bool quoted = false;

@@ -24,9 +24,9 @@ struct StudyFigure {
     std::string unit;
 };
 
-/// The figures of a run: "time" in ms, the numbers of "processors" and "links" used, the measurements of processes,
-/// such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy". If parts have prices,
-/// "price" is the price of the machine.
+/// The figures of a run, by name: "time" in ms, the numbers of "processors" and "links" used, the results that
+/// processes report, such as "master[0].T_exe", and the load of each processor in percent, such as "t[0][1].busy". If
+/// parts have prices, "price" is the price of the machine.
 using StudyFigures = std::map<std::string, StudyFigure>;
 StudyFigures figures_of(const RunReport&, const Network&, const Prices& = {});
 
@@ -67,16 +67,16 @@ private:
 /// similar name, or lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
-/// The measures that runs of these networks may have, as far as the netlists show it. Measures that only some runs have
-/// are included.
+/// The measures that runs of these networks may have, as far as the netlists show, including measures that only some
+/// runs have. With them, wrong names are found before the first run.
 class PossibleMeasures {
 public:
     void add(const Network&, const Catalogue&, const ProblemRegistry&);
     void add(const std::string& measure) { abouts_[measure]; }
-    /// Returns the descriptions of the measures, with their units, by names without subscripts.
+    /// Returns the descriptions of the measures, with their units. The keys are names without subscripts.
     const std::map<std::string, std::string>& abouts() const { return abouts_; }
     bool has(const StudyMeasure&) const;
-    /// Returns a sentence with all possible measures.
+    /// Returns a sentence that lists all possible measures.
     std::string why_unknown(const StudyMeasure&) const;
 
 private:

@@ -15,8 +15,9 @@
 
 namespace placedpar {
 
-/// Makes runs of a sweep in a rank other than 0. Rank 0 hands out the runs (rank_zero.hpp). The helper makes runs in
-/// `jobs` threads, and requests one run more than it has threads, so that no thread waits for rank 0.
+/// Makes runs of a sweep (all runs of a study) in a rank of mpirun other than 0. Rank 0 hands out the runs
+/// (rank_zero.hpp). The helper makes runs in `jobs` threads. It requests one run more than it has threads, so that no
+/// thread waits for rank 0.
 class RankHelper {
 public:
     /// REQUIRES: `ranks` outlives this object.
@@ -38,10 +39,10 @@ private:
 
     Ranks& ranks_;
     std::size_t jobs_;
-    std::string digest_;         ///< digest of rank 0's source
-    std::size_t unanswered_ = 0; ///< number of requests that rank 0 has not answered; it answers none after the message
-                                 ///< `stop`
-    std::mutex mutex_;           ///< guards the members below
+    std::string digest_; ///< digest of rank 0's source
+    /// Number of requests that rank 0 has not answered; after the message `stop`, rank 0 answers no request.
+    std::size_t unanswered_ = 0;
+    std::mutex mutex_; ///< guards the members below
     std::condition_variable changed_;
     std::deque<StudyRun> runs_;      ///< runs to be made
     std::vector<RankMessage> ended_; ///< messages about ended runs, to be sent

@@ -7,7 +7,8 @@
 
 namespace placedpar {
 
-/// The messages of a sweep between rank 0, which has the results, and the other ranks, the helpers.
+/// The messages between the ranks of mpirun that make the runs of a study. Rank 0 has the results; the other ranks are
+/// the helpers.
 ///
 ///     rank 0                      helper
 ///     begin                  ->                        or `stop`, if there is nothing to do
@@ -29,7 +30,7 @@ std::string text_of(const RankMessage&);
 RankMessage rank_message_from(const std::string&);
 
 /// Returns a digest of the netlist, its included files, the options and the version of PlacedPar. Two digests are equal
-/// only if all these are equal.
+/// only if all these are equal. By the digest a helper finds out whether it makes the same runs as rank 0.
 std::string digest_of(const StudySource&);
 
 } // namespace placedpar

@@ -52,8 +52,8 @@ std::vector<double> figures_of_runs(const StudyLine& line, std::size_t measure) 
     return figures;
 }
 
-/// Returns the test; nothing if fewer than two combinations have several figures, or if all figures of each are equal,
-/// since seeds then make no difference.
+/// Returns the test; nothing if fewer than two combinations have several figures, or if in each combination all figures
+/// are equal, because seeds then make no difference.
 std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) {
     const bool varies = std::ranges::any_of(
         groups, [](const auto& group) { return std::ranges::min(group) != std::ranges::max(group); });

@@ -13,8 +13,9 @@
 
 namespace placedpar {
 
-/// A problem with an objective. It computes the fitness of each genome once, and remembers the fitness for other
-/// processes, generations and runs. Neither this class nor ProblemRegistry is thread-safe.
+/// Wraps a problem with an objective, to save computing time. It computes the fitness of each genome once, and
+/// remembers the fitness for other processes, generations and runs. Neither this class nor ProblemRegistry is
+/// thread-safe.
 class RememberedProblem final : public AdaptedProblem {
 public:
     /// The number of bytes left for remembered genomes. Several problems may share this number.
@@ -46,11 +47,11 @@ private:
     mutable std::map<std::string, std::shared_ptr<const SearchProblem>> codings_;
 };
 
-/// Problems that several registries share, such as registries of different seeds.
+/// Problems that are made once for several registries, such as the registries of different seeds.
 class RememberedProblems {
 public:
-    /// Returns a family that makes each problem once. A problem with an objective becomes a RememberedProblem.
-    /// REQUIRES: this object outlives the result, and families with the same name are equal.
+    /// Returns the family, changed so that it makes each problem only once. A problem with an objective becomes a
+    /// RememberedProblem. REQUIRES: this object outlives the result, and families with the same name are equal.
     ProblemFamily around(const ProblemFamily& family);
 
 private:

@@ -82,7 +82,8 @@ void make_file(const std::filesystem::path& path) {
 std::uint64_t fingerprint_from(const std::string& text) { return parse_number<std::uint64_t>(text, 16).value(); }
 
 /// Returns the definitions of all objects of the database as text. A file of results is refused if its text differs
-/// from schema_of_ours(): other programs may have added objects, such as triggers, which change what our statements do.
+/// from schema_of_ours(). Another program may have added objects, such as triggers, which would change the effect of
+/// the statements of this file.
 std::string schema_of(store::Database& database) {
     return database.text("SELECT group_concat(type || ' ' || name || ' ' || tbl_name || ' ' || ifnull(sql, ''), '; ') "
                          "FROM (SELECT * FROM sqlite_schema ORDER BY type, name)");
@@ -323,7 +324,7 @@ StudySource StudyResults::source() { return head_.source; }
 
 namespace {
 
-/// Says how the source of kept runs differs from the wanted source. REQUIRES: they differ.
+/// Says how the source of the file's runs differs from the wanted source. REQUIRES: the sources differ.
 std::string print_difference(const StudySource& kept, const StudySource& wanted) {
     if (kept.options != wanted.options)
         return fmt::format("the file's runs were made with other options ({}, not {})", kept.options, wanted.options);

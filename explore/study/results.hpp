@@ -25,14 +25,16 @@ struct StudyOutcome {
     StudyFigures figures = {};
 };
 
-/// The source that all runs of a file of results share. A file with another source is refused. If the study runs a
-/// function, there are no texts.
+/// What determines all runs of a file of results, apart from their settings and seeds. A file with another source is
+/// refused, so that runs of different netlists never mix. If the study runs a function in place of a netlist, there are
+/// no texts.
 struct StudySource {
-    std::string netlist;                                    ///< path as typed by the user; it is not compared
+    std::string netlist;                                    ///< path as typed by the user; ignored in comparisons
     std::vector<std::pair<std::string, std::string>> texts; ///< path and text of the netlist and its included files
     std::string options; ///< JSON of everything else that determines a run, such as faults; for a function, a text that
                          ///< identifies the function
-    std::string named_by = " with --results"; ///< words in the message of a refusal that say how to name another file
+    /// Words of the error message that say how the user can name another file of results.
+    std::string named_by = " with --results";
 
     /// Compares everything except the paths of the files and `named_by`.
     bool operator==(const StudySource& other) const;
@@ -50,7 +52,8 @@ public:
     /// format. Unless `of_any_version`, refuses a file of another version of PlacedPar. Also refuses a file to which
     /// another program is adding runs.
     StudyResults(const std::filesystem::path&, const StudySource&, bool of_any_version = false);
-    /// Opens a file to read it, also while another program adds runs. Runs that are added later are not seen.
+    /// Opens a file to read it, also while another program adds runs. This object does not see runs that are added
+    /// later.
     explicit StudyResults(const std::filesystem::path&);
     /// Keeps the runs only in memory.
     explicit StudyResults(const StudySource&);
@@ -58,7 +61,7 @@ public:
 
     bool has(const StudyRun&);
     std::optional<StudyOutcome> find(const StudyRun&);
-    /// Writes the run completely before returning.
+    /// Returns when the run is safely in the file.
     void keep(const StudyRun&, const StudyOutcome&);
     std::uint64_t count();
     /// Calls the function for each run, ordered by settings and seed.
@@ -81,7 +84,8 @@ private:
         StudySource source;
         std::string version, measures;
         std::int64_t runs = 0, sum = 0;
-        std::string texts_checksums = {}; ///< checksums of the source's texts, kept because the texts may be long
+        /// Checksums of the source's texts, stored to save time, because the texts may be long.
+        std::string texts_checksums = {};
         void add_up_texts();
         std::int64_t checksum() const; ///< REQUIRES: add_up_texts() was called for these texts
     };

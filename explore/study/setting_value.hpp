@@ -7,8 +7,8 @@
 
 namespace placedpar {
 
-/// Evaluates a value of --set without a netlist. Returns nothing if the value is not an expression or has a name in it:
-/// such a value is a text without quotes.
+/// Evaluates a value of the option --set without a netlist. Returns nothing if the value is not an expression or
+/// contains a name. Such a value is a text without quotes.
 std::optional<Constant> constant_of_setting(const std::string& text);
 
 /// Returns the number that a value of --set means for a clock or the speed of a link: 5M is 5 million. Returns nothing
@@ -19,7 +19,7 @@ std::optional<double> number_of_setting(const std::string& text);
 bool is_frequency(const std::string& name);
 
 /// A value of --set, compared by its meaning: 8 equals 8.0, and a text equals the same text in quotes. For a clock or
-/// the speed of a link, 20M equals 20000000. For other settings 20M differs from 20000000, since it may be a size of
+/// the speed of a link, 20M equals 20000000. For other settings 20M differs from 20000000, because 20M may be a size of
 /// 20971520 bytes.
 class SettingValue {
 public:
@@ -30,7 +30,7 @@ public:
     /// Returns a text that is equal for equal values, and different for different values.
     const std::string& meaning() const { return meaning_; }
     std::optional<double> number() const { return number_of_setting(spelling_); }
-    /// Returns whether the number has a point or a power of ten: some settings accept 8 but not 8.0.
+    /// Returns whether the number is written with a point or a power of ten. Some settings accept 8, but not 8.0.
     bool is_real() const { return is_real_; }
 
     bool operator==(const SettingValue& other) const { return meaning_ == other.meaning_; }

@@ -16,7 +16,8 @@
 
 namespace placedpar {
 
-/// All combinations of the axes' values for which the condition holds. The last axis varies fastest.
+/// All combinations of the values of several settings (axes) for which the condition `where` holds. The last axis
+/// varies fastest.
 struct StudyProduct {
     std::vector<StudyAxis> axes;
     StudyExpression where{""};
@@ -52,25 +53,25 @@ struct StudySearch {
 /// are finite.
 using StudyFunction = std::function<StudyFigures(const StudyRun&)>;
 
-/// The runs of a netlist or of a function, and the measures to report.
+/// A study: many runs of a netlist or of a function with different settings and seeds, and the measures to report.
 struct Study {
     std::string netlist;         ///< path of the netlist
     StudyFunction function = {}; ///< empty: the netlist is run
     ReadOptions read = {};
     std::vector<StudyProduct> products;
     std::uint64_t first_seed = 1, seeds = 1; ///< each combination is run with `seeds` seeds
-    Time until = Time::max();                ///< virtual time at which unfinished runs are stopped
+    Time until = Time::max();                ///< simulated time at which unfinished runs are stopped
     std::vector<std::string> measures;
-    Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
+    /// Each figure is divided by the figure of the run with these settings; empty: figures are absolute.
+    Overrides relative_to = {};
     std::optional<StudySearch> search = {}; ///< empty: all combinations are run
-    std::vector<StudyTable> tables = {};    ///< tables of figures beside known figures
+    std::vector<StudyTable> tables = {};    ///< tables that show figures beside known figures
     std::vector<std::string> figures = {};  ///< measures that occur in the tables
     Prices prices = {};                     ///< empty: runs have no measure "price"
     std::string notes = "";                 ///< text printed below the tables
 
     /// Returns the number of runs, including runs for which the condition does not hold. Throws UserError if this
-    /// number or the last seed exceeds 64 bits; the message names the cause.
+    /// number, or the last seed, exceeds 64 bits; the message names the cause.
     std::uint64_t count() const;
     /// Returns a run; nothing if the condition does not hold for it. The seed varies fastest. REQUIRES: index <
     /// count().
@@ -83,12 +84,12 @@ struct Study {
     std::optional<SettingValue> find(const std::string& name, const SettingValue&) const;
 };
 
-/// Throws UserError unless there are consecutive seeds from `first` on, `seeds` of them and at least one.
+/// Throws UserError unless there are this many consecutive seeds from `first` on. There must be at least one.
 void require_seeds(std::uint64_t first, std::uint64_t seeds);
 
-/// Finds the runs of a study by their numbers. A binary search finds the product of a run; since tables make a product
-/// for each cell, loops over all runs would otherwise be slow. REQUIRES: the study outlives this object, and its
-/// products and seeds do not change.
+/// Finds the runs of a study by their numbers. A study may have thousands of products, one for each cell of its tables,
+/// so the product of a run is found by a binary search. REQUIRES: the study outlives this object, and its products and
+/// seeds do not change.
 class StudyRuns {
 public:
     /// Throws as Study::count() does.
@@ -99,7 +100,7 @@ public:
 
 private:
     const Study& study_;
-    std::vector<std::uint64_t> ends_; ///< number of runs up to the end of each product
+    std::vector<std::uint64_t> ends_; ///< for each product: number of runs of this product and all products before it
 };
 
 } // namespace placedpar

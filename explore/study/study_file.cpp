@@ -193,7 +193,7 @@ private:
         study_.products.push_back(std::move(product));
     }
 
-    /// A table that has been read, and the data that a later table can take over by "like".
+    /// A table that has been read, and the data that a later table can take over by the key "like".
     struct TableRead {
         StudyTable table;
         Members of_rows; ///< members that hold for all rows of the table

@@ -9,11 +9,11 @@
 
 namespace placedpar {
 
-/// The parts of a study's file. The keys of the last three parts are names: settings of the netlist, parts of a machine
-/// with prices, and programs of the netlist.
+/// The parts of a study's file. The keys of the last three parts are names of the user's: settings of the netlist,
+/// parts of a machine with prices, and programs of the netlist.
 enum class StudyPart : std::uint8_t { whole, product, search, table, column, row, settings, prices, programs };
 
-/// What the words of a value are, as far as they can be listed. A condition has names of settings; a figure also has
+/// The words that may occur in a value, for completion in editors. A condition has names of settings; a figure also has
 /// names of measures.
 enum class StudyWords : std::uint8_t { any, truths, measures, conditions, figures, judges, origins, tables };
 
@@ -31,8 +31,8 @@ struct StudyKey {
     std::optional<StudyPart> members = {}; ///< part with the members of the value, if the value is a table
 };
 
-/// Returns the keys of a part, which the reader of studies reads (study_file.cpp). Returns nothing for the parts whose
-/// keys are names.
+/// Returns the keys of a part, which the reader of studies accepts (study_file.cpp). Empty for the parts whose keys are
+/// names.
 std::vector<StudyKey> study_keys(StudyPart);
 
 /// Returns two lines: the key with the form and the range of its value, and the meaning.

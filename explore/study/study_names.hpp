@@ -13,7 +13,7 @@ namespace placedpar {
 
 class ProblemRegistry; // gaprocs/problem_registry.hpp
 
-/// Describes a name of a netlist that a study can use.
+/// Describes a name of a netlist that a study can use, for completion in editors.
 struct StudyName {
     std::string about = {}; ///< text in whole lines
     Location at = {};       ///< where the netlist declares the thing or gives the value; no file: unknown
@@ -22,8 +22,8 @@ struct StudyName {
 
 /// The names of a netlist that a study can use.
 struct StudyNames {
-    std::map<std::string, StudyName>
-        settings; ///< constants, "master.trials", and "trials" for all elements that have it
+    /// Constants, "master.trials", and "trials" for all elements that have it.
+    std::map<std::string, StudyName> settings;
     std::map<std::string, StudyName> measures; ///< without subscripts
     std::map<std::string, StudyName> programs; ///< the programs of processes
 };

@@ -197,14 +197,15 @@ Overrides StudyNodes::settings(const toml::node& node) {
     return set;
 }
 
-/// Reports a key of the whole study that stands below a line in brackets, and so became a key of that table.
+/// Reports a key of the whole study that stands below a line in brackets. TOML takes such a key as a part of this
+/// table.
 void StudyNodes::report_misplaced(const std::string& name, const toml::node& node) {
     report(node.source().begin, fmt::format("\"{}\" belongs to the whole study, not to this table", name),
            "move it above [set] and [[also]]");
 }
 
-/// Reads the axes in the order of the text, which the parser's tables do not keep. The parser makes nested tables of
-/// names with dots.
+/// Reads the axes in the order of the text, which the parser's tables do not keep. For names with dots the parser makes
+/// nested tables.
 void StudyNodes::read_axes(const toml::node& node, const std::string& prefix, std::vector<StudyAxis>& axes) {
     const toml::table* table = node.as_table();
     if (!table)

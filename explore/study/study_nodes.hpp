@@ -24,17 +24,17 @@ protected:
     using Entries = std::vector<Entry>;
     using Members = std::map<std::string, const toml::node*>;
 
-    // The entries refer to the arguments, which they change.
+    // The functions of the entries store the values in the arguments.
     Entries of_search(StudySearch&);
     Entries of_variant(StudyVariant&);
-    /// `measures` are the measures of the study that a row can show without an expression.
+    /// `measures`: the study's measures, which a row can show without an expression.
     Entries of_row(StudyRow&, const std::vector<StudyVariant>& columns, const std::vector<std::string>& measures);
-    /// Returns entries that only store the nodes, which are read later.
+    /// Returns entries that only store the nodes in `Members`, so that they can be read later.
     static Entries noted(Entries, Members&);
     static Entries joined(Entries, Entries);
     static Handlers handlers_of(const Entries&);
 
-    // These functions add the form of the value to the key.
+    // These functions add the form of the value, such as "a text", to the key.
     Entry whole_entry(StudyKey, std::uint64_t& target);
     Entry text_entry(StudyKey, std::string& target);
     Entry truth_entry(StudyKey, bool& target);

@@ -8,8 +8,8 @@
 namespace placedpar {
 
 /// Finds out whether a study has runs with given settings. A study's tables can make thousands of products with a
-/// single combination each; a set holds these combinations, by the meanings of their values. Only products with several
-/// combinations are searched one by one.
+/// single combination each. A set holds these combinations for fast search. Only products with several combinations are
+/// searched one by one.
 class StudySettings {
 public:
     StudySettings() = default;
@@ -20,7 +20,7 @@ public:
     bool has(const Overrides&) const;
 
 private:
-    std::set<Overrides> single_; ///< products with a single combination: names and meanings
+    std::set<Overrides> single_; ///< products with a single combination: names of settings and meanings of their values
     std::vector<StudyProduct> others_;
 };
 

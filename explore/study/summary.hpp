@@ -10,11 +10,11 @@
 
 namespace placedpar {
 
-/// Statistics of a measure over the runs of one combination, without runs that ended in a deadlock.
+/// Statistics of a measure over the runs of one combination of settings.
 struct StudyCell {
     std::uint64_t runs = 0;
     double mean = 0, least = 0, greatest = 0;
-    double half_width = 0; ///< half width of Student's 95 % confidence interval of the mean; 0 for a single run
+    double half_width = 0; ///< half of the width of Student's 95 % confidence interval of the mean; 0 for a single run
 
     void add(double value);
     /// Computes half_width. REQUIRES: add() is not called afterwards.
@@ -45,10 +45,10 @@ struct StudyLine {
 struct StudySummary {
     std::string netlist, version;
     std::vector<std::string> axes = {}; ///< axes that have several values
-    Overrides fixed = {};               ///< settings that all combinations share
-    Overrides relative_to =
-        {}; ///< each figure is divided by the figure of the run with these settings; empty: figures are absolute
-    std::uint64_t unrelated = 0; ///< number of runs with figures but without such a reference run
+    Overrides fixed = {};               ///< settings that are equal in all combinations
+    /// Each figure is divided by the figure of the run with these settings; empty: figures are absolute.
+    Overrides relative_to = {};
+    std::uint64_t unrelated = 0; ///< number of runs with figures for which that run is missing or ended differently
     std::vector<std::string> measures = {}, units = {};
     std::vector<StudyLine> lines = {}; ///< sorted by the values; numbers are sorted by size
 
@@ -59,11 +59,11 @@ struct StudySummary {
     bool has_some(const Overrides&) const;
 };
 
-/// Summarises the runs in the results; with a study, only the runs of its combinations, with any seed. If `measures` is
-/// empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure of a reference
-/// run. The reference run has the seed of the run and its settings, except for the settings in `relative_to`. A run has
-/// no figures if its reference run is missing or ended differently. Equal settings are combined and spelt as in the
-/// study (SettingValue).
+/// Summarises the runs in the results, or, with a study, only the runs of its combinations, with any seed. If
+/// `measures` is empty, the measures requested last are used. With `relative_to`, each figure is divided by the figure
+/// of a reference run. The reference run has the seed of the run and its settings, except for the settings in
+/// `relative_to`. A run has no figures if its reference run is missing or ended differently. Values with the same
+/// meaning, such as 8 and 8.0, count as one value, spelt as in the study (SettingValue).
 StudySummary summary_of(StudyResults&, std::vector<std::string> measures = {}, const Study* study = nullptr,
                         const Overrides& relative_to = {});
 

@@ -8,11 +8,11 @@
 
 namespace placedpar {
 
-// Functions that return the cells of a summary as text for readers.
+// These functions return the cells of a study's summary as text for readers.
 
 /// Returns the mean; "-" if no run has the measure.
 std::string shown_mean(const StudyCell&);
-/// Returns the interval as "± 0.05"; "" for a single run.
+/// Returns the confidence interval of the mean as "± 0.05"; "" for a single run.
 std::string shown_interval(const StudyCell&);
 /// Returns how the runs of a line ended, such as "3 deadlock, 2 refused: why"; "" if all completed.
 std::string ended_of(const StudyLine&);
@@ -23,7 +23,8 @@ std::string measure_with_unit(const StudySummary&, std::size_t measure);
 bool has_intervals(const StudySummary&);
 /// Returns the settings as "slaves = 2, clock = 5M".
 std::string shown_settings(const Overrides&);
-/// Returns the message for reference settings that no run has. `set` has the names of the settings that the runs have.
+/// Returns the message for reference settings (Study::relative_to) that no run has. `set`: the names of the settings
+/// that the runs have.
 std::string there_is_no_reference(const Overrides& wanted, const std::vector<std::string>& set);
 /// Returns sentences that hold for all lines: "all with samples = 12", "relative to slaves = 0".
 std::vector<std::string> said_of_all(const StudySummary&);

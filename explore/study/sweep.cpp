@@ -76,8 +76,8 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
 };
 
-/// Yields all combinations of a study, beginning with the first and the last. The combinations so far are always spread
-/// evenly over the study, since the step is the number of combinations times the golden ratio.
+/// Yields all combinations of a study, beginning with the first and the last. At any time, the combinations so far are
+/// spread evenly over the study, because the step is the number of combinations times the golden ratio.
 class SpreadCombinations {
 public:
     explicit SpreadCombinations(const Study& study) : count_(study.count() / study.seeds) {
@@ -144,7 +144,7 @@ ProblemRegistry StudyWorker::problems_of(std::uint64_t seed) {
     return known_problems(seed, [this](const ProblemFamily& family) { return remembered_.around(family); });
 }
 
-/// Replaces the problems in place, since the kinds hold a reference to them.
+/// Replaces the problems in place, because the kinds hold a reference to the problems.
 void StudyWorker::go_to_seed(std::uint64_t seed) {
     constexpr std::size_t most = 100;
     if (seed == seed_)
@@ -184,7 +184,7 @@ std::optional<RunReport> StudyWorker::repeat(const RunSettings& settings) {
 }
 
 /// Makes a run, if possible by repeating the record. If the run differs from the record, the run becomes the new
-/// record, since later runs may equal it.
+/// record, because later runs may equal this run.
 RunReport StudyWorker::report_of(const StudyRun& run, Interruption& interruption) {
     RunSettings settings{.seed = run.seed, .until = study_.until, .interruption = &interruption};
     if (record_ && record_->can_be_repeated())
@@ -331,8 +331,8 @@ std::optional<double> StudySweep::seconds_a_run(Interruption& interruption) {
     return seconds_;
 }
 
-/// Makes a run with another seed: the first run of a combination may take longer than the other runs, which repeat the
-/// first.
+/// Makes a run with another seed, because the first run of a combination may take longer than the others, which repeat
+/// the first.
 void StudySweep::time_another_seed(Interruption& interruption) {
     const double first = *seconds_, others = static_cast<double>(study_.seeds - 1);
     StudyRun another = *tried_;

@@ -18,24 +18,25 @@
 
 namespace placedpar {
 
-/// Returns the first network of the study that can be read. Tries some combinations spread over the study, or all
-/// combinations if the condition holds for none of these. If no network can be read, throws UserError with the first
-/// refusal.
+/// Returns the first network of the study that can be read. Tries some combinations spread over the study. If the
+/// study's condition holds for none of these, tries all combinations. If no network can be read, throws UserError with
+/// the first refusal.
 Network readable_network(const Study&);
 
-/// Throws UserError for a measure that no run can have. Checks all combinations; if there are very many, only some
+/// Throws UserError for a measure that no run can have. Checks all combinations, or, if there are very many, some
 /// combinations spread over the study. `network` is a network of the study.
 void require_possible(const std::vector<std::string>& measures, const Study&, const Network&);
 
-/// Makes runs of a study, one after the other, and keeps the data that they share. The kinds and the parsed netlist are
-/// made once, a network once for each combination, and the records of measurements once for each seed. If the events on
-/// the machine do not depend on the seed, the machine is also simulated only once for each combination (RecordedRun). A
-/// problem's objective is computed once for each genome (RememberedProblem).
+/// Makes runs of a study, one after the other, and keeps the data that they share. It makes the kinds of processes and
+/// the parsed netlist once, a network once for each combination, and the simulated measurements once for each seed. If
+/// the events on the machine do not depend on the seed, it simulates the machine only once for each combination
+/// (RecordedRun). It computes a problem's objective once for each genome (RememberedProblem).
 class StudyWorker {
 public:
     /// REQUIRES: the study outlives this object.
     explicit StudyWorker(const Study& study) : study_(study), netlist_(study.netlist, study.read) {}
-    StudyWorker(const StudyWorker&) = delete; // not copied: the kinds refer to problems_
+    StudyWorker(const StudyWorker&) =
+        delete; // the kinds refer to problems_, so copies would refer to another object's problems
     StudyWorker& operator=(const StudyWorker&) = delete;
 
     /// Makes a run; returns nothing if it was interrupted.
@@ -60,8 +61,9 @@ private:
     const Catalogue kinds_ = known_kinds(problems_);
     std::optional<Overrides> set_; ///< settings of network_
     Network network_;
-    std::optional<RecordedRun> record_; ///< record of a run of the network, if runs may be repeated from it
-    std::uint64_t departed_ = 0;        ///< number of runs of the network that could not be repeated from the record
+    /// Record of a run of the network, if further runs may be repeated from this record.
+    std::optional<RecordedRun> record_;
+    std::uint64_t departed_ = 0; ///< number of runs of the network that could not be repeated from the record
     std::uint64_t repeated_ = 0;
 };
 
@@ -87,8 +89,8 @@ public:
     std::optional<double> seconds_a_run(Interruption&);
 
     /// Makes all missing runs in `workers` threads. `show` is called from time to time with the number of runs that
-    /// have ended. `others`, if not null, lets other ranks make some of the runs: it is called repeatedly, in the
-    /// caller's thread, until it returns false.
+    /// have ended. `others`, if not null, lets other ranks of mpirun make some of the runs. It is called repeatedly, in
+    /// the caller's thread, until it returns false.
     void run(std::size_t workers, Interruption&, const std::function<void(std::uint64_t ended)>& show,
              const std::function<bool(bool stopped)>& others = nullptr);
     /// Returns the next run for a worker to make; nothing if no run is left, or if the sweep must stop.

@@ -33,11 +33,11 @@
 
 namespace placedpar {
 
-/// Reads a file of TOML. Reports all errors, not only the first. If the file has an error in a value, the value that is
-/// read is meaningless: call refuse_if_failed() before using any value.
+/// Reads a file of TOML. Reports all errors, not only the first. A value with an error is read as some meaningless
+/// value, so call refuse_if_failed() before using any value.
 class TomlReader {
 protected:
-    /// `kind` says in messages what the file is. Throws RefusedInput if the text cannot be read.
+    /// `kind`: what messages call the file. Throws RefusedInput if the text cannot be read.
     explicit TomlReader(const std::string& path, std::string_view kind = "study") : kind_(kind) {
         LoadedSource loaded = load_input(path);
         source_ = loaded.file;
@@ -61,7 +61,7 @@ protected:
         return {};
     }
 
-    /// Returns the error's text. Names a key that is given twice, since the parser garbles such names.
+    /// Returns the error's text. If a key is given twice, names the key itself, because the parser garbles its name.
     std::string described(const toml::parse_error& error) const {
         const std::string description(error.description());
         if (description.find("redefine existing") == std::string::npos ||
@@ -219,8 +219,8 @@ private:
     std::string kind_;
     std::shared_ptr<const SourceFile> source_;
     Reporter reporter_;
-    std::set<std::tuple<toml::source_index, toml::source_index, std::string>>
-        reported_; ///< reports made so far, so that each report is made only once
+    /// Errors reported so far, so that each error is reported only once.
+    std::set<std::tuple<toml::source_index, toml::source_index, std::string>> reported_;
 };
 
 } // namespace placedpar

@@ -17,22 +17,22 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The population that receives immigrants.
+/// The population of an island that receives immigrants.
 struct IslandPopulation {
     std::span<const Genome> strings;
     std::span<const double> fitness;
-    std::size_t elite =
-        0; ///< number of best individuals, which are never replaced; among equally fit individuals, those with the
-           ///< higher index belong to the elite. In a population that has just been bred, the elite comes first
+    std::size_t elite = 0; ///< number of best individuals, which are never replaced. Among equally fit individuals, the
+                           ///< individuals with the higher index belong to the elite. In a population that has just
+                           ///< been bred, the elite comes first
     const Representation* representation = nullptr; ///< null: binary strings
 };
 
 /// For each immigrant, the index of the individual that it replaces, or nothing if the immigrant is rejected.
 using Places = std::vector<std::optional<std::size_t>>;
 
-// Each policy chooses the individual that an immigrant replaces, for one immigrant after another. Immigrants of the
-// same exchange replace different individuals. With `only_if_better`, an immigrant is rejected unless it is fitter than
-// the individual that it would replace. REQUIRES of every policy: immigrants.size() + island.elite <=
+// Each policy below is one way to choose the individual that an immigrant replaces, for one immigrant after another.
+// Immigrants of the same exchange replace different individuals. With `only_if_better`, an immigrant is rejected unless
+// it is fitter than the individual that it would replace. REQUIRES of every policy: immigrants.size() + island.elite <=
 // island.strings.size(), and all strings have the same length.
 
 /// Replaces the least fit individuals; among equals the lowest index first. Draws no random number.
@@ -60,9 +60,10 @@ struct RandomAcceptance {
     Places operator()(const IslandPopulation& island, std::span<const Individual> immigrants, RandomStream&) const;
 };
 
-/// Replaces the individual outside the elite with the least Representation::distance() from the immigrant. For binary
-/// strings this is the number of different bits. Among equally distant individuals it replaces the least fit, and among
-/// equally fit individuals the individual with the lowest index. Draws no random number.
+/// Replaces the individual most similar to the immigrant: the individual outside the elite with the least
+/// Representation::distance() from the immigrant. For binary strings this distance is the number of different bits.
+/// Among equally distant individuals the policy replaces the least fit, and among equally fit individuals the
+/// individual with the lowest index. Draws no random number.
 struct AlikeAcceptance {
     static constexpr std::string_view name = "alike",
                                       about = "the most similar individual outside the elite is replaced",

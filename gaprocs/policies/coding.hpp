@@ -10,11 +10,11 @@
 namespace placedpar {
 
 // A coding says how a string codes the parameters of a problem, each parameter in a field of bits. `dont_care` unused
-// bits are inserted between every two neighbouring bits, so many strings code the same parameters. The thesis inserts
-// one bit (eq. 6.14 and 6.15).
+// bits are inserted between every two neighbouring bits, so many strings code the same parameters. Unused bits lengthen
+// the string without changing its meaning. The thesis inserts one bit (eq. 6.14 and 6.15).
 
 /// Natural binary code, as in the thesis. The codes of neighbouring numbers may differ in every bit, as 0111 and 1000
-/// do. So a small change of a parameter may need many flipped bits.
+/// do. So mutation may have to flip many bits for a small change of a parameter.
 struct NaturalCoding {
     static constexpr std::string_view name = "natural", about = "fields in natural binary",
                                       source = "thesis eq. 1.5; don't-care bits: eq. 6.14 and 6.15";
@@ -39,7 +39,7 @@ struct GrayCoding {
     }
 };
 
-/// The string holds the parameters as real numbers, not as bits. Each number is limited to the range of its field.
+/// The string holds the parameters themselves, as real numbers. Each number is limited to the range of its field.
 struct RealCoding {
     static constexpr std::string_view name = "real",
                                       about = "the parameters themselves, as real numbers instead of bits",

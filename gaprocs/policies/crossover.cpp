@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for the next individual of `unmated` that differs from the first in two bits or more. If there is one, swaps
+/// Looks for the next individual of `unmated` that differs from the first in at least two bits. If there is one, swaps
 /// it with the second individual and returns true; otherwise returns false.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };

@@ -15,10 +15,10 @@
 
 namespace placedpar {
 
-// Each policy turns two mates into two offspring. The comment of each policy states how many random numbers the policy
-// draws. A character is a bit of a binary string or a number of a real vector; it has `unit` bits, 1 or 64. Crossover
-// never separates the bits of a character. REQUIRES of every policy: both strings have the same length, at least 2
-// characters.
+// Each policy below is one way to turn two mates into two offspring. The comment of each policy states how many random
+// numbers the policy draws. A character is a bit of a binary string (`unit` is 1) or a number of a real vector (`unit`
+// is 64 bits). Crossover never separates the bits of a character. REQUIRES of every policy: both strings have the same
+// length, at least 2 characters.
 
 /// Exchanges the first k of L characters, where k is uniform in 1 ... L - 1 (thesis eq. 1.1 and 1.2). Draws one random
 /// number.
@@ -29,8 +29,8 @@ struct OnePointCrossover {
     void operator()(Genome& a, Genome& b, RandomStream& random, std::size_t unit = 1) const;
 };
 
-/// Exchanges the characters between two cuts. The string is treated as a ring, so a cut may be before any character,
-/// the first included. Each pair of cuts is equally likely. Draws two random numbers.
+/// Exchanges the characters between two cuts. The string is a ring for this purpose, so a cut may be before any
+/// character, also before the first. Each pair of cuts is equally likely. Draws two random numbers.
 struct TwoPointCrossover {
     static constexpr std::string_view name = "two-point", about = "mates exchange the characters between two cuts",
                                       source = "K. De Jong, 1975";
@@ -56,7 +56,7 @@ struct DifferenceCrossover {
         about = "the cut is between bits in which the mates differ; mates differ in at least two bits",
         source = "thesis 6.3";
     static constexpr bool fits(StringKind kind) { return kind == StringKind::binary; }
-    /// REQUIRES: the strings differ in two bits or more.
+    /// REQUIRES: the strings differ in at least two bits.
     void operator()(Genome& a, Genome& b, RandomStream& random) const;
 };
 
@@ -80,10 +80,10 @@ struct BlendCrossover {
 };
 
 /// Simulated binary crossover (K. Deb and R. Agrawal, "Simulated binary crossover for continuous search space", 1995),
-/// in the form for bounded parameters (K. Deb and A. Kumar, 1995). Each number is crossed with probability 1/2: the two
-/// offspring's numbers are equally far outside, or equally far inside, the parents' numbers. The larger `index` is, the
-/// nearer the offspring are to the parents. Draws one random number for each number of the vector, and two more if this
-/// number is crossed and differs between the parents.
+/// in the form for bounded parameters (K. Deb and A. Kumar, 1995). Each number is crossed with probability 1/2. The two
+/// offspring's numbers are then on either side of the middle of the parents' numbers, between these numbers or outside.
+/// The larger `index` is, the nearer the offspring are to the parents. Draws one random number for each number of the
+/// vector, and two more if this number is crossed and differs between the parents.
 struct SimulatedBinaryCrossover {
     static constexpr std::string_view name = "sbx",
                                       about = "simulated binary crossover: the offspring's numbers are near the "
@@ -128,27 +128,29 @@ public:
           }) {}
 };
 
-/// The policy by which two parents produce two offspring. The mates are individuals 0 and 1, 2 and 3, and so on;
-/// reproduction has put the population in random order. With DifferenceCrossover, the mate of an individual is the next
-/// unmated individual that differs in two bits or more; this mate is moved to the place after the individual.
+/// The policy by which two parents produce two offspring. The mates are individuals 0 and 1, 2 and 3, and so on. These
+/// pairs are random, because the selection of parents has put the population in random order. With DifferenceCrossover,
+/// the mate of an individual is the next unmated individual that differs in at least two bits. This mate is moved to
+/// the place after the individual.
 class Crossover : public OneOf<Crossover, OnePointCrossover, TwoPointCrossover, UniformCrossover, DifferenceCrossover,
                                BlendCrossover, SimulatedBinaryCrossover, OrderCrossover, OwnCrossover> {
 public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "crossover", about = "how two parents make two offspring";
 
-    /// Crosses each pair of mates with the given probability. Draws one random number for each pair to decide whether
-    /// the pair is crossed, besides the policy's draws. In a population of odd size, the last individual stays
-    /// unchanged, without a draw. Strings of one character stay unchanged, also without a draw. An individual for which
-    /// DifferenceCrossover finds no mate stays unchanged, too. REQUIRES: all strings belong to `representation`, and
+    /// Crosses each pair of mates with the given probability. For each pair, draws one random number to decide whether
+    /// the pair is crossed; the policy's draws follow. In a population of odd size, the last individual stays
+    /// unchanged, without a draw. Strings of one character also stay unchanged, without a draw. An individual for which
+    /// DifferenceCrossover finds no mate stays unchanged. REQUIRES: all strings belong to `representation`, and
     /// fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 
-    /// Returns all offspring that two mates can have. Each offspring is returned as a vertex of the hypercube, that is,
-    /// as the whole number with the same binary digits. A parent is included if the crossover can leave it unchanged.
-    /// Returns an empty set if `a` and `b` cannot be mates. REQUIRES: `a` and `b` are binary strings of the same
-    /// length, 2 to 20 bits. Throws std::invalid_argument for a policy that does not fit binary strings.
+    /// Returns all offspring that two mates can have, for pictures of the search space. Each offspring is a vertex of
+    /// the hypercube, that is, the whole number with the same binary digits. A parent is included if the crossover can
+    /// leave it unchanged. Returns an empty set if `a` and `b` cannot be mates. REQUIRES: `a` and `b` are binary
+    /// strings of the same length, 2 to 20 bits. Throws std::invalid_argument for a policy that does not fit binary
+    /// strings.
     std::set<std::uint64_t> every_offspring(const Genome& a, const Genome& b) const;
 };
 

@@ -13,8 +13,8 @@ namespace placedpar {
 
 class RandomStream;
 
-// Each policy chooses `count` different individuals and returns their indices. Copies of these individuals leave the
-// island. REQUIRES of every policy: count <= fitness.size().
+// Each policy below is one way to choose `count` different individuals of an island, of which copies go to other
+// islands. It returns their indices. REQUIRES of every policy: count <= fitness.size().
 
 /// Chooses the best individuals; among equals the lowest index first. Draws no random number.
 struct BestEmigration {

@@ -13,8 +13,8 @@ namespace {
 /// least one fitness, and no NaN.
 template <class ComesFirst>
 std::size_t first_index(std::span<const double> fitness, ComesFirst comes_first) {
-    // First finds the value, by four independent sequences of comparisons, then its index. In a single sequence each
-    // comparison would wait for the previous one.
+    // First finds the value, then its index. Four independent sequences of comparisons are faster than one, in which
+    // each comparison would wait for the previous comparison.
     std::array<double, 4> firsts;
     firsts.fill(fitness.front());
     std::size_t i = 0;

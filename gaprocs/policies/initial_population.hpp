@@ -17,8 +17,8 @@ struct RandomStart {
     static constexpr std::string_view name = "random", about = "every string is drawn at random", source = "thesis 1.1";
 };
 
-/// Spreads the codes of each field evenly over the field's range, and assigns them to the strings in random order, as
-/// spread_population() does.
+/// Spreads the codes of each field (the bits of one parameter) evenly over the field's range. Assigns the codes to the
+/// strings in random order, separately for each field.
 struct SpreadStart {
     static constexpr std::string_view
         name = "spread",
@@ -26,8 +26,8 @@ struct SpreadStart {
         source = "thesis 6.3, predefined populations; M. McKay et al., 1979";
 };
 
-/// A user-defined struct that returns strings for the first population, at most `population` of them. The search draws
-/// the missing strings. The struct has the call operator
+/// A user-defined struct that returns strings for the first population, at most `population` strings. The search draws
+/// the missing strings at random. The struct has the call operator
 ///
 ///     std::vector<Genome> operator()(std::size_t population, const Representation& representation,
 ///                                    RandomStream& random) const;
@@ -49,7 +49,8 @@ private:
     std::function<std::vector<Genome>(std::size_t, const Representation&, RandomStream&)> begin_;
 };
 
-/// The policy that makes the first population. It is not used if strings are read from a file.
+/// The policy that makes the first population. A search that reads its first strings from a file does not use the
+/// policy.
 class InitialPopulation : public OneOf<InitialPopulation, RandomStart, SpreadStart, OwnStart> {
 public:
     using OneOf::OneOf;

@@ -12,19 +12,24 @@ namespace placedpar {
 
 class RandomStream;
 
-// Active error analysis (thesis 5.3.2) has islands with windows of different lengths. Each policy chooses the island
-// whose best individual is the answer. A policy that compares the ratios Sw_i / SA_i (eq. 5.7) chooses the first island
-// among equals. REQUIRES of every policy: at least one island, and the requirements of ErrorMatrix.
+// In active error analysis (thesis 5.3.2), islands evaluate individuals over windows of different lengths. w_i is the
+// window of island i, its newest samples, and A_j the best individual of island j. Each policy below is one way to
+// choose the island whose best individual is the answer. Most policies compare the ratios Sw_i / SA_i (eq. 5.7), and
+// choose the first island among equals. Sw_i is the sum of row i of an ErrorMatrix, SA_i the sum of column i. Row i and
+// column j of this matrix hold Error(w_i, A_j) / Error(w_j, A_j). REQUIRES of every policy: at least one island, and
+// the requirements of ErrorMatrix.
 //
-// The rule as printed cannot do what the thesis says. Windows are nested: the ten newest samples are among the thirty
-// newest. So with squared errors, Error(w_i, A_j) never decreases when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no
-// error is 0:
+// The rule of the thesis, "choose the island with the greatest ratio", cannot do what the thesis says. Windows are
+// nested: the ten newest samples are among the thirty newest. So with squared errors, Error(w_i, A_j) never decreases
+// when w_i grows. If w_1 >= w_2 >= ... >= w_n, and no error is 0:
 //   each term of Sw_i falls with i:   Sw_1 >= Sw_2 >= ... >= Sw_n, which always contradicts eq. 5.5;
 //   terms are at least 1 in row 1 and column n, at most 1 in row n and column 1:  SA_1 <= n <= SA_n, Sw_n <= n <= Sw_1;
 //   hence Sw_1 / SA_1 >= 1 >= Sw_n / SA_n: the shortest window is never preferred to the longest.
-// If a simulation starts anew in each window, errors differ from window to window, and this proof does not hold.
+// The proof does not hold for a problem whose errors come from a simulation that starts at the beginning of each
+// window.
 
-/// Chooses the greatest Sw_i / SA_i exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared errors of eq. 5.1.
+/// Chooses the island with the greatest Sw_i / SA_i, exactly as eq. 5.3, 5.4 and 5.7 are printed, with the squared
+/// errors of eq. 5.1.
 struct PrintedChoice {
     static constexpr std::string_view
         name = "printed",
@@ -51,9 +56,9 @@ struct MeansChoice {
     std::size_t operator()(const ErrorsOfBest& bests, RandomStream&) const;
 };
 
-/// Chooses as PrintedChoice does, but divides Error(w_i, A_j) by Error(w_i, A_i). So each term of Sw_i compares the
-/// best individual of one island with the best individual of island i, in the same window. Sums and means give the same
-/// choice.
+/// Chooses as PrintedChoice does, but divides Error(w_i, A_j) by Error(w_i, A_i) instead of Error(w_j, A_j). So each
+/// term of Sw_i compares the best individual of one island with the best individual of island i, in the same window.
+/// Sums and means of squared errors give the same choice.
 struct RowChoice {
     static constexpr std::string_view name = "row",
                                       about = "greatest ratio Sw/SA, with each error divided by the error of the row's "

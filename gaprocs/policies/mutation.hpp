@@ -25,8 +25,8 @@ void mutate_places(const Mutate& mutate, std::span<Genome> population, double pr
                 mutate(genome, place, representation, random);
 }
 
-// BitMutation and DistanceMutation flip bits of a whole population. Each other policy works at one position of a
-// string; Mutation chooses the positions. The comment of each policy states how many random numbers the policy draws.
+// BitMutation and DistanceMutation flip bits of a whole population. Each other policy changes one position of a string;
+// the class Mutation chooses the positions. The comment of each policy states how many random numbers the policy draws.
 
 /// Flips each bit with probability `probability`. Draws one random number for each bit. REQUIRES: all strings have the
 /// same length.
@@ -38,9 +38,9 @@ struct BitMutation {
     void operator()(std::span<Genome> population, RandomStream& random) const;
 };
 
-/// Flips bits with the same distribution as BitMutation, but with fewer draws. Draws geometrically distributed
-/// distances from one flipped bit to the next, until a distance leads past the end of the population: one number for
-/// each flipped bit, and one more at the end. REQUIRES: all strings have the same length.
+/// Flips bits with the same distribution as BitMutation, but with fewer draws. Draws the distance from one flipped bit
+/// to the next, which is geometrically distributed, until a distance leads past the end of the population. So it draws
+/// one number for each flipped bit, and one more at the end. REQUIRES: all strings have the same length.
 struct DistanceMutation {
     static constexpr std::string_view name = "distance",
                                       about = "bits are flipped as by bit mutation, but a random number is drawn only "
@@ -127,8 +127,8 @@ struct SwapMutation {
 };
 
 /// Reverses the entries from this position to another, random position. If the other position comes first, the reversed
-/// part continues from the end of the string to its beginning. In a closed tour this changes two edges. Draws one
-/// random number.
+/// part continues from the end of the string to its beginning. If the permutation is a closed tour, this changes two
+/// edges. Draws one random number.
 struct InversionMutation {
     static constexpr std::string_view name = "inversion",
                                       about = "the elements between two positions of the permutation are reversed",
@@ -159,9 +159,9 @@ public:
     using OneOf::OneOf;
     static constexpr std::string_view noun = "mutation", about = "how an offspring is changed at random";
 
-    /// Mutates each position of each string with the given probability. Draws one random number for each position to
-    /// decide whether it mutates, besides the policy's draws; BitMutation and DistanceMutation decide by their own
-    /// draws alone. A permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
+    /// Mutates each position of each string with the given probability. For each position, draws one random number to
+    /// decide whether it mutates; the policy's draws follow. BitMutation and DistanceMutation decide by their own draws
+    /// alone. A permutation of one place stays unchanged, without a draw. REQUIRES: fits(representation.kind()).
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const;
 };

@@ -11,14 +11,15 @@
 
 namespace placedpar {
 
-/// A user-defined crossover or mutation. Its call operator works on a whole population.
+/// A user-defined crossover or mutation, protected against errors in the user's code. The call operator works on a
+/// whole population.
 class OwnVariation : public OwnPolicy {
 public:
     bool fits(StringKind kind) const {
         return tried([&] { return fits_(kind); });
     }
     /// Crosses or mutates as the call operators of Crossover and Mutation do. Throws UserError if the user's code
-    /// throws, or if it leaves an individual that is not a string of the representation.
+    /// throws, or if the code leaves an individual that is not a string of the representation.
     void operator()(std::span<Genome> population, double probability, const Representation& representation,
                     RandomStream& random) const {
         tried([&] {

@@ -26,9 +26,9 @@ namespace placedpar {
 //         1000}); }
 //     };
 //
-// A step is a class derived from OneOf<...>, which lists the policies. The library and netlists name a policy by the
-// same text: "tournament", "tournament(3)", "tournament(size = 3)". A program can add its own structs to a step by
-// Step::add<TournamentReproduction>(), before any code asks the step for its policies.
+// A step is a class derived from OneOf<...>. The arguments of OneOf are the policies. The library and netlists name a
+// policy by the same text: "tournament", "tournament(3)", "tournament(size = 3)". A program adds its own struct to a
+// step by calling Step::add<TournamentReproduction>(), before any code asks the step for its policies.
 
 /// A number that configures a policy. Its `member` is a double, a std::size_t or a bool (0 or 1). `least` and `most`
 /// are the limits of its value; `about` is one line of text, with the unit.
@@ -63,11 +63,11 @@ struct PolicyDescription {
     std::string text() const;
 };
 
-/// A policy that was read from a text, with its numbers.
+/// A policy that was read from a text, with the values of its numbers.
 struct NamedPolicy {
-    std::size_t index; ///< index of the policy among the known policies
-    std::vector<double>
-        numbers; ///< values of all numbers of the policy; a number that the text omits has its default value
+    std::size_t index; ///< index of the policy in the list `known` of read_policy()
+    /// Values of all numbers of the policy; a number that the text omits has its default value.
+    std::vector<double> numbers;
 };
 
 /// Reads a policy from a text such as "name", "name(2)" or "name(number = 2, 3.5)". Throws UserError if the text has
@@ -123,8 +123,8 @@ Policy make_policy(const std::vector<double>& values) {
     return policy;
 }
 
-/// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws UserError. Its message
-/// is the text of whose(), followed by the text of the exception.
+/// Returns the result of `work`, which is user-defined code. If `work` throws anything, throws a UserError, whose
+/// message is whose() followed by the text of the exception.
 template <class Whose, class Work>
 auto tried(const Whose& whose, const Work& work) {
     try {
@@ -134,8 +134,8 @@ auto tried(const Whose& whose, const Work& work) {
     }
 }
 
-/// Base class of user-defined policies. A step that allows user-defined policies lists a class derived from OwnPolicy
-/// last. The derived class keeps the user's call operator in a std::function.
+/// Base class of the classes that hold a user-defined policy. A step that allows user-defined policies has a class
+/// derived from OwnPolicy as its last policy. The derived class keeps the user's call operator in a std::function.
 class OwnPolicy {
 public:
     template <class Policy>
@@ -165,8 +165,8 @@ private:
 void require_policy_fits(const PolicyDescription& added, std::string_view noun,
                          const std::vector<PolicyDescription>& known);
 
-/// Holds one of several policies; by default, the first policy of the list with its default numbers. `Step` is the
-/// class derived from OneOf.
+/// Holds one of several policies for a step of a genetic algorithm. By default, this is the first policy of the list
+/// with its default numbers. `Step` is the class derived from OneOf.
 template <class Step, class... Policies>
 class OneOf {
 public:
@@ -183,7 +183,7 @@ public:
     template <class Policy>
     constexpr OneOf(Policy policy) requires(std::is_same_v<Policy, Policies> || ...) : policy_(std::move(policy)) {}
 
-    /// Returns the step with the policy that a text names. Throws what read_policy() throws.
+    /// Returns the step with the policy that a text names, such as "tournament(3)". Throws what read_policy() throws.
     static Step named(std::string_view text) {
         NamedPolicy named = read_policy(text, descriptions());
         return known()[named.index].make(named.numbers);
@@ -206,8 +206,8 @@ public:
         auto [described, numbers] = description();
         return described.text(numbers);
     }
-    /// Throws UserError if a number is out of its range. Only named() checks numbers; a program can make a policy with
-    /// any number.
+    /// Throws UserError if a number is out of its range. A policy from named() has only numbers in range; a policy that
+    /// a program constructs may have any number.
     void require_numbers_in_range() const { read_policy(text(), {description().first}); }
     /// Describes PlacedPar's own policies, followed by the added policies in the order in which they were added.
     static std::vector<PolicyDescription> descriptions() {
@@ -217,8 +217,8 @@ public:
         return all;
     }
 
-    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that do.
-    /// REQUIRES: all policies of the step have fits().
+    /// Returns whether the policy works on this kind of string. fitting() returns the names of all policies that work
+    /// on it. REQUIRES: all policies of the step have fits().
     template <class Kind>
     bool fits(Kind kind) const {
         return std::visit([&](const auto& policy) { return policy.fits(kind); }, policy_);

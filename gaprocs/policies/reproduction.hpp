@@ -15,12 +15,11 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The indices of the parents; nothing if no individual may become a parent. If there are no parents, no number is
-/// drawn.
+/// The indices of the parents; nothing if no individual may become a parent. In this case no random number is drawn.
 using Parents = std::optional<std::vector<std::size_t>>;
 
-/// Parents are drawn with replacement, individual i with a probability proportional to max(f_i, 0). So individuals
-/// whose fitness is not positive, or NaN, are discarded (thesis 3.1.1, step 4).
+/// Draws parents with replacement. The probability of individual i is proportional to max(f_i, 0), where f_i is its
+/// fitness. So individuals whose fitness is 0, negative or NaN are discarded (thesis 3.1.1, step 4).
 struct RouletteReproduction {
     static constexpr std::string_view
         name = "roulette",
@@ -33,9 +32,9 @@ struct RouletteReproduction {
 };
 
 /// Stochastic universal sampling (J. Baker, "Reducing bias and inefficiency in the selection algorithm", 1987): one
-/// spin of a wheel with `count` evenly spaced balls. If RouletteReproduction chooses an individual e times on average,
-/// this policy chooses it floor(e) or ceil(e) times. The parents are then shuffled, because crossover takes neighbours
-/// as mates.
+/// spin of a roulette wheel with `count` evenly spaced balls chooses all parents. If RouletteReproduction chooses an
+/// individual e times on average, this policy chooses it floor(e) or ceil(e) times. The parents are then shuffled,
+/// because crossover takes neighbours as mates.
 struct UniversalReproduction {
     static constexpr std::string_view
         name = "universal",
@@ -50,9 +49,9 @@ struct UniversalReproduction {
 
 /// Linear scaling (D. Goldberg, "Genetic Algorithms in Search, Optimization and Machine Learning", 1989, p. 76). The
 /// average number of copies is a linear function of fitness: 1 at the mean fitness and `best` for the best individual.
-/// If this function is negative for the worst individual, the function that is 1 at the mean and 0 for the worst is
-/// used instead. Only differences of fitness matter, so fitness may be negative. The parents are sampled as by
-/// UniversalReproduction.
+/// If this function would be negative for the worst individual, a flatter function is used, which is 1 at the mean
+/// fitness and 0 for the worst individual. Only differences of fitness matter, so fitness may be negative. The parents
+/// are sampled as by UniversalReproduction.
 struct ScaledReproduction {
     static constexpr std::string_view name = "scaled",
                                       about = "linear scaling: the best individual gets `best` copies on average",
@@ -71,7 +70,7 @@ struct ScaledReproduction {
 
 /// Linear ranking (J. Baker, "Adaptive selection methods for genetic algorithms", 1985). The average number of copies
 /// is a linear function of the rank: `best` for the best individual, and 2 - `best` for the worst. Individuals of equal
-/// fitness share the mean of their ranks. The parents are sampled as by UniversalReproduction.
+/// fitness all have the mean of their ranks. The parents are sampled as by UniversalReproduction.
 struct RankingReproduction {
     static constexpr std::string_view name = "ranking",
                                       about = "linear ranking: the best individual gets `best` copies on average",
@@ -106,8 +105,8 @@ struct TournamentReproduction {
     Parents operator()(std::span<const double> fitness, std::size_t count, RandomStream& random) const;
 };
 
-/// A user-defined struct with `needs_positive_fitness` and the same call operator as the policies above. The returned
-/// parents are checked.
+/// A user-defined struct with `needs_positive_fitness` and the same call operator as the policies above. The parents
+/// that it returns are checked.
 class OwnReproduction : public OwnPolicy {
 public:
     template <class Policy>

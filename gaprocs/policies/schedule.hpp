@@ -14,8 +14,9 @@
 
 namespace placedpar {
 
-// Each policy says to which of an island's neighbours the emigrants go at a given exchange. Exchanges and generations
-// are numbered from 1. Exchange n follows generation n * `every`.
+// Each policy below says to which of an island's neighbours its emigrants go at a given exchange. The neighbours are
+// the islands to which the topology allows the island to send. Exchanges and generations are numbered from 1. Exchange
+// n follows generation n * `every`.
 
 struct BroadcastSchedule {
     static constexpr std::string_view name = "broadcast",
@@ -29,8 +30,8 @@ struct BroadcastSchedule {
 };
 
 /// Sends to the first neighbour at the first exchange, to the second neighbour at the second exchange, and so on; after
-/// the last neighbour, the first neighbour follows again. In a hypercube of two dimensions the neighbours are i xor 1
-/// and i xor 2 (thesis 5.3.2).
+/// the last neighbour, the first neighbour follows again. In a hypercube of two dimensions, island i has the neighbours
+/// i xor 1 and i xor 2 (thesis 5.3.2).
 struct SequentialSchedule {
     static constexpr std::string_view
         name = "sequential",
@@ -44,8 +45,8 @@ struct SequentialSchedule {
 };
 
 /// Sends to all neighbours; no island waits for another. An island accepts the emigrants that have arrived. If
-/// emigrants of several exchanges have arrived from one neighbour, it accepts only the latest. Which emigrants have
-/// arrived depends only on simulated times, so it is the same in every run.
+/// emigrants of several exchanges have arrived from one neighbour, the island accepts only the latest. Which emigrants
+/// have arrived depends only on simulated times, so it is the same in every run.
 struct AsynchronousSchedule {
     static constexpr std::string_view
         name = "asynchronous",
@@ -58,9 +59,10 @@ struct AsynchronousSchedule {
     std::span<const std::size_t> operator()(std::uint64_t exchange, std::span<const std::size_t> neighbours) const;
 };
 
-/// A user-defined struct with `every` as its first number, and the same call operator as the policies above. The call
-/// operator returns a contiguous part of the list of neighbours. The result may depend only on the arguments, because
-/// both the sending and the receiving island call the operator. Islands that exchange wait for each other.
+/// A user-defined struct with the same call operator as the policies above. Its first number is `every`, the
+/// generations from one exchange to the next. The call operator returns a contiguous part of the list of neighbours.
+/// The result may depend only on the arguments, because both the sending and the receiving island call the operator.
+/// Islands that exchange wait for each other.
 class OwnSchedule : public OwnPolicy {
 public:
     template <class Policy>
@@ -103,10 +105,10 @@ public:
     std::span<const std::size_t> destinations(std::uint64_t generation, std::span<const std::size_t> neighbours) const;
 };
 
-/// Returns for each island the largest number of islands that send to it in one exchange. With a user-defined schedule,
-/// counts all islands that have the island as a neighbour. A sequential schedule is tried for at most 10 000 exchanges.
-/// The result may be too low if the schedule repeats only after more exchanges. REQUIRES: neighbours as returned by
-/// Topology::neighbours().
+/// Returns for each island the largest number of islands that send to it in one exchange, because its population must
+/// have room for their emigrants. With a user-defined schedule, counts all islands that have the island as a neighbour.
+/// Tries at most 10 000 exchanges of a sequential schedule. If the schedule repeats only after more exchanges, the
+/// result may be too low. REQUIRES: neighbours as returned by Topology::neighbours().
 std::vector<std::size_t> most_senders_at_once(const Schedule&, const Neighbours&);
 
 } // namespace placedpar

@@ -12,15 +12,15 @@
 
 namespace placedpar {
 
-/// For each island, the numbers of the islands to which it may send emigrants. Islands are numbered from 0. A
-/// sequential schedule sends to the neighbours in this order.
+/// For each island, the numbers of the islands to which it may send emigrants. Islands are numbered from 0. The order
+/// matters to a sequential schedule, which sends to one neighbour after another.
 using Neighbours = std::vector<std::vector<std::size_t>>;
 
-// Each policy returns the neighbours of each of `islands` islands. An island is never its own neighbour, and has no
-// neighbour twice; in a torus of two columns, for example, east and west are the same neighbour. In the ring, the
-// hypercube, the torus and the complete topology, no two islands have the same n-th neighbour. So if every island sends
-// to its n-th neighbour, each island receives from one island. REQUIRES: islands >= 1. Throws UserError if there is no
-// such topology of `islands` islands.
+// Each policy below returns the neighbours of each of `islands` islands. An island is never its own neighbour, and has
+// no neighbour twice. In a torus of two columns, for example, the east and the west neighbour are the same island,
+// which is listed once. In the ring, the hypercube, the torus and the complete topology, no two islands have the same
+// n-th neighbour. So if every island sends to its n-th neighbour, each island receives from one island. REQUIRES:
+// islands >= 1. Throws UserError if there is no such topology of `islands` islands.
 
 /// Connects each island to the next, and the last to the first. If `ways` is 2, also connects each island to the
 /// previous one, and the first to the last.
@@ -37,8 +37,8 @@ struct RingTopology {
     Neighbours operator()(std::size_t islands) const;
 };
 
-/// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (thesis 5.3.2 has two
-/// dimensions). The number of islands must be a power of two.
+/// Connects islands whose numbers differ in one binary digit: i xor 1, i xor 2, i xor 4, ... (the thesis has two
+/// dimensions, 5.3.2). The number of islands must be a power of two.
 struct HypercubeTopology {
     static constexpr std::string_view
         name = "hypercube",
@@ -124,21 +124,22 @@ public:
     /// Returns whether islands exchange individuals: false for "none".
     bool exchanges() const { return !std::holds_alternative<NoTopology>(policy()); }
     /// Throws UserError if `islands` is 0, if there is no such topology of `islands` islands, or if an island neither
-    /// sends nor receives, except in the topology "none". The message says what would be right.
+    /// sends nor receives. In the topology "none", islands may do neither. The message says what would be right.
     Neighbours neighbours(std::size_t islands) const;
 };
 
-/// Returns each island's distance from the island `from`: the number of exchanges that an individual needs to reach the
-/// island, if each island sends to all its neighbours. The distance is absent if individuals of `from` never reach the
-/// island. REQUIRES: from < neighbours.size().
+/// Returns the distance of each island from the island `from`. The distance is the number of exchanges after which an
+/// individual can have moved from island `from` to this island, if each island sends to all its neighbours. There is no
+/// distance to an island that individuals of `from` never reach. REQUIRES: from < neighbours.size().
 std::vector<std::optional<std::size_t>> distances(const Neighbours& neighbours, std::size_t from);
 
-/// Returns the connected parts of the topology, ordered by their first islands. No individual moves from one part to
-/// another. The islands of each part are in ascending order.
+/// Returns the connected parts of the topology: groups of islands between which no individual moves. The parts are
+/// ordered by their first islands. The islands of each part are in ascending order.
 std::vector<std::vector<std::size_t>> separate_parts(const Neighbours& neighbours);
 
-/// Two islands of the same part, where individuals of island `from` never reach island `never_to`. In a one-way chain,
-/// for example, no individual moves from the end to the beginning. one_way() returns such a pair, if there is one.
+/// Two islands of the same connected part, where individuals of island `from` never reach island `never_to`. In a chain
+/// that sends only forwards, for example, no individual moves from the end to the beginning. one_way() returns such a
+/// pair, if there is one.
 struct OneWay {
     std::size_t from, never_to;
 };

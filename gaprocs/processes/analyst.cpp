@@ -50,8 +50,8 @@ std::vector<std::size_t> windows_of(const std::vector<AnalysedIsland>& islands) 
 }
 
 /// Receives the best individual of each island, and chooses one of them as the answer by active error analysis.
-/// REQUIRES: the network has passed check_analyst(), so there is at least one island, and all islands have the same
-/// host.
+/// REQUIRES: the network has passed check_analyst(); this ensures that there is at least one island, and that all
+/// islands have the same host.
 class Analyst {
 public:
     Analyst(ProcessEnvironment& environment, const SearchProblem& problem, SearchObserver* observer)
@@ -92,7 +92,8 @@ private:
     }
 
     /// Returns the number of error evaluations in one analysis. Each best individual is evaluated at the samples of the
-    /// longest window. If the problem depends_on_window(), the individual is evaluated in each window separately.
+    /// longest window. If the error depends on where the window begins, the individual is evaluated in each window
+    /// separately.
     std::size_t errors_to_find() const {
         const std::vector<std::size_t> windows = windows_of(islands_);
         std::size_t of_each = problem_.depends_on_window()

@@ -12,12 +12,14 @@
 
 namespace placedpar {
 
-/// An island of a netlist.
+/// An island of a netlist: a process that searches and exchanges individuals with its neighbours.
 struct PlacedIsland {
-    std::size_t process;                 ///< index in Network::processes
-    std::vector<std::size_t> neighbours; ///< numbers of the neighbours, in the order of a sequential schedule
-    std::map<std::size_t, std::string> ports_to, ports_from; ///< [i]: port to island i, and port from island i
-    /// Error messages about connections, by port: a connection to the island itself, a second connection to the same
+    std::size_t process; ///< index in Network::processes
+    /// Numbers of the neighbours, in the order in which a sequential schedule sends to them.
+    std::vector<std::size_t> neighbours;
+    std::map<std::size_t, std::string> ports_to,
+        ports_from; ///< by island number: name of the port to, or from, this island
+    /// Messages about wrong connections, by port: a connection to the island itself, a second connection to the same
     /// island, or a connection to a process that is not an island.
     std::map<std::string, std::string> refused;
     std::size_t part; ///< index in Archipelago::parts()
@@ -26,13 +28,13 @@ struct PlacedIsland {
 /// A topology that the netlist names, applied to all islands.
 struct NamedTopology {
     Neighbours neighbours;
-    std::string does_not_fit; ///< reason why the topology cannot have this number of islands; "" if it can
+    std::string does_not_fit; ///< why the topology cannot have this number of islands; "" if it can
 };
 
-/// The islands of a netlist: the processes of the kind ga.island. Islands are numbered from 0 in the order of their
-/// declarations. If an island names a topology that gives it the same neighbours as its connections, its neighbours are
-/// in the order of this topology; otherwise they are in the order of the connections. The constructor reads the whole
-/// netlist, so all islands share one archipelago.
+/// All islands of a netlist, that is, the processes of the kind ga.island, and their neighbours. Islands are numbered
+/// from 0 in the order of their declarations. The neighbours of an island are in the order of its connections. But if
+/// the parameter `topology` names a topology that gives the island the same neighbours, they are in the order of this
+/// topology. The constructor reads the whole netlist, so all islands share one archipelago to save time.
 class Archipelago {
 public:
     explicit Archipelago(const Network&);
@@ -42,9 +44,11 @@ public:
     std::size_t number_of(std::size_t process) const;
     const Neighbours& neighbours() const { return neighbours_; }
     const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
-    /// Returns the island and all islands with which it exchanges, directly or through other islands.
+    /// Returns the part of the island: the island itself, and all islands with which it exchanges, directly or through
+    /// other islands.
     const std::vector<std::size_t>& part_of(std::size_t island) const { return parts_[islands_[island].part]; }
-    /// Returns the largest number of samples that an island of the same part needs before its first generation.
+    /// Returns the largest number of samples that an island of the same part needs before its first generation. Islands
+    /// that exchange in step wait for this number.
     std::size_t samples_needed_around(std::size_t island) const { return samples_needed_[islands_[island].part]; }
     /// REQUIRES: `text` is the parameter `topology` of an island.
     const NamedTopology& topology(const std::string& text) const { return topologies_.at(text); }

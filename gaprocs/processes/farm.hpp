@@ -12,10 +12,11 @@
 
 namespace placedpar {
 
-/// The master's part of algorithm A: evaluates a population with the help of slaves. Master and slaves form a tree,
-/// such as a chain or a star; slaves pass on messages for the slaves behind them. In each generation the master first
-/// sends the tasks, beginning with the nearest slaves, then evaluates its own share, then receives the results. Without
-/// slaves the master evaluates all individuals.
+/// The master's part of the thesis's algorithm A: evaluates a population with the help of slave processes. Master and
+/// slaves form a tree, such as a chain or a star. Slaves pass on messages for the slaves behind them. In each
+/// generation the master first sends the tasks, beginning with the nearest slaves, then evaluates its own share, then
+/// receives the results. With Split::demand, individuals are instead sent one by one, each to an idle slave or the idle
+/// master. Without slaves the master evaluates all individuals.
 ///
 /// The fitness does not depend on the number of slaves, on their connections, or on the process that evaluates an
 /// individual (see fitness.hpp).
@@ -27,32 +28,34 @@ public:
         Split split = Split::individuals;
         double own_share = 1; ///< ratio of the master's share to a slave's share, 0 ... 1; ignored with Split::demand
         Sending sending = Sending::in_turn;
-        std::size_t tasks_under_way = 1; ///< largest number of tasks that a slave may have before it answers the first;
-                                         ///< more than 1 only with Split::demand
-        bool measurements_every_generation =
-            false; ///< true: send the window in every generation; false: only after measure()
-        bool results_in_order =
-            false; ///< true: receive all results of one channel, beginning with the farthest slave, then the results of
-                   ///< the next channel; false: receive each result when it is ready
+        /// Largest number of unanswered tasks that a slave may have; more than 1 only with Split::demand.
+        std::size_t tasks_under_way = 1;
+        /// True: send the window of measurements in every generation; false: only after measure().
+        bool measurements_every_generation = false;
+        /// True: receive all results of one channel, beginning with the farthest slave, then the results of the next
+        /// channel; false: receive each result when it is ready.
+        bool results_in_order = false;
         double bias = 0;
     };
 
     Farm(const SearchProblem&, const Workload&, const Settings&, std::vector<Output<Task>> to_slaves,
          std::vector<Input<Fitnesses>> from_slaves);
 
-    /// Sets the window of measurements. Each slave receives the window with its next task.
+    /// Sets the window, the newest measurements, over which individuals are evaluated. Each slave receives the window
+    /// with its next task.
     void measure(Window);
     /// Returns the fitness of every individual. REQUIRES: measure() was called.
     std::vector<double> evaluate(std::span<const Genome> population);
-    /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured C_time2
-    /// in this way. With Split::demand, the slaves together receive the fraction slaves/(slaves + 1) of the
-    /// individuals. REQUIRES: slaves > 0.
+    /// Does all communication of a generation with new measurements, but evaluates nothing. The thesis measured
+    /// C_time2, the communication time of a generation, in this way. With Split::demand, the slaves receive
+    /// slaves/(slaves + 1) of the individuals, because the master would evaluate the others. REQUIRES: slaves > 0.
     void rehearse(std::span<const Genome> population);
+    /// Ends all slaves.
     void end();
 
     void forget_times() { send_to_receive = own_evaluation = Stopwatch{}; }
-    /// `send_to_receive` measures T_sr, the time of a generation from the first send to the last receive.
-    /// `own_evaluation` measures P_time2, the time of the master's own evaluations.
+    /// `send_to_receive` measures T_sr of the thesis, the time of a generation from the first send to the last receive.
+    /// `own_evaluation` measures P_time2 of the thesis, the time of the master's own evaluations.
     Stopwatch send_to_receive, own_evaluation;
 
 private:

@@ -9,8 +9,8 @@
 
 namespace placedpar {
 
-/// Tracks a generation in which individuals are dealt out one by one, each to an idle evaluator: a slave or the
-/// master's own evaluator. The master's evaluator is a process of low priority on the master's processor.
+/// Deals out the individuals of a generation one by one, each to an idle slave or to the idle evaluator of the master.
+/// The master's evaluator is a process of low priority on the master's processor.
 class Farm::Dealer {
 public:
     Dealer(std::size_t population, std::size_t window, std::size_t slaves, bool measurements_are_new)
@@ -23,8 +23,8 @@ public:
         return {individual * window_, (individual + 1) * window_, window_};
     }
     void received() { ++received_; }
-    /// Returns whether the slave's next task must contain new measurements. From then on the slave counts as having
-    /// them, so call this function once for each task.
+    /// Returns whether the slave's next task must contain new measurements. Call this function once for each task,
+    /// because afterwards the slave counts as having the measurements.
     bool owes_measurements(std::size_t slave) {
         bool owed = lacks_measurements_[slave];
         lacks_measurements_[slave] = false;

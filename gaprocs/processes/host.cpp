@@ -42,7 +42,7 @@ std::vector<Sample> samples_of(const ProcessEnvironment& environment, const Reco
     return {first, first + static_cast<std::ptrdiff_t>(samples_to_send(environment, recorded.samples()))};
 }
 
-/// Collects the times that samples take for one stage of their path.
+/// Collects the times that samples take for one stage of their way from the sensors to the masters.
 class Stage {
 public:
     void note(Time time) {
@@ -139,7 +139,7 @@ private:
         answered.output(no_more);
     }
 
-    /// Sends a finding to the alarm whenever all searches have answered a sample.
+    /// Sends the fittest estimate to the alarm whenever all searches have answered a sample.
     void tell_alarm() {
         auto alarm = environment_.output<Finding>("to_alarm");
         std::vector<std::size_t> answered(answered_.size(), 0);

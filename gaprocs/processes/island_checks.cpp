@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// For the text of each schedule, the result of most_senders_at_once() with this schedule.
+/// The result of most_senders_at_once() by schedule, computed once for each. The key is the text of the schedule.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 class IslandCheck {
@@ -90,8 +90,8 @@ private:
                                Topology::named(topology).text(), archipelago_.islands().size()));
     }
 
-    /// Refuses an island without connections if another island has some; this is probably a mistake. If no island has
-    /// connections, the islands are independent searches.
+    /// Refuses an island without connections if another island has connections, because this is probably a mistake. If
+    /// no island has connections, the islands are independent searches.
     void require_some_neighbour() {
         auto connected = [](const PlacedIsland& island) {
             return !island.ports_to.empty() || !island.ports_from.empty();

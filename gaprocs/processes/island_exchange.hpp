@@ -19,20 +19,21 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Exchanges individuals between an island process and its neighbours, as Islands does (gaprocs/islands.hpp).
+/// Exchanges individuals between an island process and its neighbours over channels. (The class Islands in
+/// gaprocs/islands.hpp does the same without a simulated machine.)
 ///
 /// If islands exchange in step, the island sends and receives on all channels of an exchange in parallel (P. Welch's
-/// I/O-PAR), and waits until all have finished. All islands make their exchanges in the same order, so no topology can
-/// deadlock. The topology and the schedule determine the channels of an exchange, so the processes at both ends of a
-/// channel know when the channel is used.
+/// I/O-PAR), and waits until all of them have finished. All islands make their exchanges in the same order, so no
+/// topology can deadlock. The topology and the schedule determine the channels of an exchange, so the processes at both
+/// ends of a channel know when the channel is used.
 ///
 /// In asynchronous exchange, each outgoing channel has a sending process and each incoming channel a receiving process.
 /// These processes run at high priority, in parallel with the search. At an exchange, the search gives its emigrants to
-/// each idle sender, and takes the latest emigrants from each receiver. Receivers are always ready, so no sender waits
-/// for long. An island that ends sends an end message to its neighbours.
+/// each idle sending process, and takes the latest emigrants from each receiving process. Receiving processes are
+/// always ready, so no sending process waits for long. An island that ends sends an end message to its neighbours.
 class IslandExchange {
 public:
-    /// REQUIRES: the process is an island, and its network has passed check_islands().
+    /// REQUIRES: the process is a ga.island, and its network has passed check_islands().
     IslandExchange(const ProcessEnvironment&, const SearchProblem&, const SearchSettings&, const Workload&);
 
     /// Returns the number of samples needed before the first generation, as computed by samples_awaited(); 0 if the
@@ -40,10 +41,10 @@ public:
     std::size_t samples_to_begin() const { return samples_to_begin_; }
     /// Returns whether this island has an exchange after the evaluation of the generation.
     bool is_due(std::uint64_t generation) const { return has_neighbours_ && schedule_.is_due(generation); }
-    /// Returns whether the island sends its best individual to an analyst after the generation. An island without
-    /// neighbours also sends it.
+    /// Returns whether the island sends its best individual to an analyst, which chooses among the islands' answers,
+    /// after the generation. An island without neighbours also sends its best individual.
     bool reports_after(std::uint64_t generation) const { return schedule_.is_due(generation); }
-    /// Runs `search`. In asynchronous exchange, the sending and receiving processes run in parallel with it.
+    /// Runs `search`. In asynchronous exchange, the sending and receiving processes run in parallel with `search`.
     void beside_mail(const std::function<void()>& search);
     /// Sends the emigrants, and returns the immigrants in the order in which the island must accept them. If necessary,
     /// evaluates immigrants in this island's window; this takes simulated computing time. REQUIRES:
@@ -57,7 +58,7 @@ private:
     struct Outgoing {
         std::size_t to;
         Output<Emigrants> output;
-        bool idle = true; ///< in asynchronous exchange: the sender has no emigrants left to send
+        bool idle = true; ///< in asynchronous exchange: the sending process has nothing to send
         Channel<InPlace<Emigrants>> letters;
 
         Outgoing(std::size_t island, Output<Emigrants> end, const std::string& process)
@@ -80,7 +81,8 @@ private:
     void send_letters(Outgoing&);
     void receive_letters(Incoming&);
 
-    std::shared_ptr<const Archipelago> archipelago_; ///< held so that islands that begin later can share it
+    /// Kept, so that islands that begin later can share the archipelago.
+    std::shared_ptr<const Archipelago> archipelago_;
     const SearchProblem& problem_;
     double bias_;
     Workload workload_;

@@ -116,7 +116,7 @@ private:
         complaints_.push_back({process, std::move(about), std::move(message), std::move(hint)});
     }
 
-    /// Checks that the port is a single end and not an array.
+    /// Checks that the port is a single end instead of an array.
     void check_single(const char* port) {
         for (const PortBinding& binding : network_.processes[process_].ports)
             if (base_name(binding.port) == port && binding.port != port)
@@ -131,8 +131,8 @@ private:
         complaints_.push_back({process_, std::move(about), std::move(message), std::move(hint), true});
     }
 
-    /// Warns about settings that do not suit the record. If several processes have the same setting, only the check of
-    /// the first process warns.
+    /// Warns about settings that do not suit the problem's measurements (RecordAdvice). If several processes have the
+    /// same setting, only the check of the first process warns.
     void warn_of_advice() {
         const RecordAdvice& advice = recorded_->advice();
         if (advice.trials != 0 && std::cmp_not_equal(integer("trials"), advice.trials) && !is_as_before("trials"))

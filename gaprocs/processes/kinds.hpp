@@ -9,13 +9,15 @@ namespace placedpar {
 
 class Catalogue;
 
-/// Adds the kinds below to the catalogue. Processes find their problems in `problems` by name. Searches report to the
-/// observer, unless it is null. The traditional algorithm, masters and islands use the checkpoints, unless these are
-/// null. REQUIRES: `problems`, the observer and the checkpoints outlive every run.
+/// Adds the kinds of processes below to the catalogue, so that netlists can use them. Processes find their problems in
+/// `problems` by name. Searches report to the observer, unless it is null. The traditional algorithm, masters and
+/// islands use the checkpoints, unless these are null. REQUIRES: `problems`, the observer and the checkpoints outlive
+/// every run.
 void add_genetic_algorithm_kinds(Catalogue&, const ProblemRegistry& problems, SearchObserver* observer = nullptr,
                                  Checkpoints* checkpoints = nullptr);
 
-// The file of each kind holds its body and describes its purpose, ports, parameters and measurements.
+// The file of each kind holds the program of its processes and describes their purpose, ports, parameters and
+// measurements.
 
 ProcessKind host_kind(const ProblemRegistry& problems);     ///< ga.host, in host.cpp
 ProcessKind slave_kind(const ProblemRegistry& problems);    ///< ga.slave, in slave.cpp

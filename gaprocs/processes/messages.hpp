@@ -20,14 +20,14 @@
 
 namespace placedpar {
 
-/// The greatest length of a message in bytes. The netlist states how many bytes a message takes on a link (thesis,
-/// appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness); the size of the C++ data does not matter.
-/// One word before these bytes holds the type and the length of the message. The length must be a positive INT, as in
+/// The greatest length of a message in bytes. The netlist states how many bytes a message takes on a link, so the size
+/// of the C++ data does not matter (thesis, appendix E: 148 bytes of measurements, 240 of strings, 240 of fitness). One
+/// word before these bytes holds the type and the length of the message. The length must be a positive INT, as in
 /// occam's counted arrays.
 inline constexpr std::int64_t largest_message_bytes = 0x7fffffff;
 
-/// Returns the length in bytes of a message with `individuals` strings or fitness values of `bytes_each` bytes, and
-/// `others` further bytes. Throws UserError if the length exceeds largest_message_bytes.
+/// Returns the length in bytes of a message. It has a string or a fitness value of `bytes_each` bytes for each of
+/// `individuals` individuals, and `others` further bytes. Throws UserError if the length exceeds largest_message_bytes.
 std::uint32_t message_bytes(std::size_t individuals, std::uint32_t bytes_each, std::uint32_t others = 0);
 
 struct SizedMessage {
@@ -35,7 +35,7 @@ struct SizedMessage {
     WireForm wire_form() const { return WireForm(4u, bytes); }
 };
 
-/// A string is sent as its length in bits, followed by its words.
+/// Between the ranks of a run on several computers, a string is sent as its length in bits, followed by its words.
 template <>
 struct PackedForm<Genome> {
     static void write(const Genome& genome, MessageBytes& to) {
@@ -72,7 +72,7 @@ struct PackedForm<Coding> {
 template <>
 struct PackedForm<Individual> : PackedMembers<Individual, &Individual::genome, &Individual::fitness> {};
 
-/// Carries a sample of the record from the host, or marks the end of the record.
+/// Carries a sample of the measurements from the host to a search, or marks the end of the measurements.
 struct HostMessage : SizedMessage {
     bool end = false;
     Sample sample;
@@ -87,9 +87,9 @@ struct PackedForm<HostMessage>
     : PackedMembers<HostMessage, &HostMessage::bytes, &HostMessage::end, &HostMessage::sample, &HostMessage::read_at> {
 };
 
-/// For programs in transputer code, a sample is a message of the type `INT::[]REAL64`: the values of the sample, then
-/// zeros up to the length of the message. The end of the record is an array of NaN. REQUIRES: the length is a multiple
-/// of 8, and the values fit.
+/// For programs in transputer code, a sample is a message of the occam type `INT::[]REAL64`: the values of the sample,
+/// then zeros up to the length of the message. An array of NaN marks the end of the measurements. REQUIRES: the length
+/// is a multiple of 8, and the values fit.
 template <>
 struct ByteForm<HostMessage> {
     using SameAs = std::vector<double>;
@@ -116,19 +116,19 @@ using Window = std::shared_ptr<const std::vector<Sample>>;
 /// Carries strings from a master to a slave, which evaluates them.
 struct Task : SizedMessage {
     enum class Kind { evaluate, rehearse, end } kind = Kind::end;
-    std::size_t slave = 0;   ///< number of the addressed slave among the master's slaves
-    std::size_t master = 0;  ///< number of the master among the masters of a ga.pipeline; 0 without a ga.pipeline
-    std::size_t address = 0; ///< 0: the task is for the receiving slave; n > 0: for slave n - 1 behind it, as numbered
-                             ///< by SlaveRoutes
+    std::size_t slave = 0;  ///< number of the addressed slave among the master's slaves
+    std::size_t master = 0; ///< number of the master among the masters of a ga.pipeline, a process that passes tasks of
+                            ///< several masters to the same slaves; 0 without a ga.pipeline
+    std::size_t address = 0; ///< 0: the task is for the receiving slave; n > 0: for slave n - 1 behind the receiving
+                             ///< slave, as numbered by SlaveRoutes
     Share share;
-    std::vector<Genome> strings; ///< all individuals with evaluations in the share
+    std::vector<Genome> strings; ///< all individuals of which the share has an evaluation
     Window window;               ///< the measurements; null if the slave already has them
     double bias = 0;
     Coding coding = Coding::natural; ///< coding of the strings
     bool results_in_order = false;   ///< true: the slave passes on the results of the slaves behind it, then sends its
                                      ///< own result; false: it sends each result when the result is ready
-    std::size_t tasks_under_way =
-        1; ///< largest number of tasks that the addressed slave may have before it answers the first
+    std::size_t tasks_under_way = 1; ///< largest number of unanswered tasks that the addressed slave may have
 };
 
 template <>
@@ -136,7 +136,7 @@ struct PackedForm<Task> : PackedMembers<Task, &Task::bytes, &Task::kind, &Task::
                                         &Task::share, &Task::strings, &Task::window, &Task::bias, &Task::coding,
                                         &Task::results_in_order, &Task::tasks_under_way> {};
 
-/// Answers a task with the result of evaluate_share().
+/// Answers a task: carries the result of evaluate_share() from a slave to its master.
 struct Fitnesses : SizedMessage {
     bool end = false;                  ///< true in the answer to Task::Kind::end
     std::size_t slave = 0, master = 0; ///< copied from the task
@@ -196,7 +196,7 @@ template <>
 struct PackedForm<Finding> : PackedMembers<Finding, &Finding::bytes, &Finding::end, &Finding::sample, &Finding::read_at,
                                            &Finding::sent_at, &Finding::parameters> {};
 
-/// Carries the bias point from the coarse search to the fine search, which searches around this point.
+/// Carries the bias point, the best string of a coarse search, to the fine search, which searches around this point.
 struct BiasPoint : SizedMessage {
     Genome string; ///< a string that the problem reads, in natural binary
 };

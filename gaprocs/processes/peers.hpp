@@ -12,7 +12,8 @@ namespace placedpar {
 
 // These functions find the processes to which a process is connected in the netlist.
 
-/// Returns the connected ends of a port, in the order of their subscripts. REQUIRES: `port` has no subscript.
+/// Returns the connected ends of a port, which may be an array, in the order of their subscripts. REQUIRES: `port` is
+/// without a subscript.
 std::vector<PortBinding> ends_of(const Network&, std::size_t process, std::string_view port);
 /// Returns the other end of the channel at this port.
 const ChannelEnd& end_beyond(const Network&, const PortBinding&);

@@ -8,9 +8,10 @@
 
 namespace placedpar {
 
-/// Checks a ga.pipeline. The slaves behind it must form trees. Each master must receive its results from the pipeline
-/// to which it sends its tasks, and must have no other slaves. It must send each slave one task per generation, so
-/// `split` = "demand" is not allowed.
+/// Checks a ga.pipeline, a process that passes the tasks of several masters to the same slaves, and returns the errors.
+/// The slaves behind the pipeline must form trees. Each master must receive its results from the pipeline to which it
+/// sends its tasks, and must have no other slaves. A master must send each slave one task per generation, so `split` =
+/// "demand" is not allowed.
 std::vector<Complaint> check_pipeline(const Network&, std::size_t process);
 
 } // namespace placedpar

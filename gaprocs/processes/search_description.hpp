@@ -10,7 +10,8 @@
 #include <utility>
 #include <vector>
 
-/// These functions describe the ports, parameters and measurements that several genetic-algorithm kinds share.
+/// These functions describe the ports, parameters and measurements that several kinds of processes of genetic
+/// algorithms have in common. `placedpar kinds` prints the descriptions, and netlists are checked against them.
 namespace placedpar::search_description {
 
 using Parameters = std::vector<ParameterDescription>;
@@ -18,7 +19,7 @@ using Parameters = std::vector<ParameterDescription>;
 /// Returns the parameters of `first`, followed by the parameters of `second`.
 Parameters operator+(Parameters first, const Parameters& second);
 
-/// Describes a parameter that chooses the policy of a step.
+/// Describes a parameter that chooses the policy of a step of the algorithm, such as tournament selection.
 template <class Step>
 ParameterDescription policy(std::string name, std::string by_default, std::string about) {
     std::vector<std::string> examples;
@@ -32,7 +33,7 @@ ParameterDescription policy(std::string name, std::string by_default, std::strin
                                                    std::move(about)));
 }
 
-/// The parameter value that selects the policy of usual_settings() for the problem.
+/// The value of a parameter that selects the default policy for the problem, from usual_settings().
 inline constexpr std::string_view usual = "usual";
 
 /// Describes a parameter as policy() does, with the default "usual".

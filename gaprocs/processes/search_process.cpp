@@ -32,7 +32,8 @@ Farm make_farm(const ProcessEnvironment& environment, const SearchProblem& probl
 
 class SearchProcess {
 public:
-    /// `recoded` is the same object as `problem` if the process belongs to a pair; otherwise null.
+    /// `recoded` is the same object as `problem` if the process belongs to a pair of a coarse and a fine search;
+    /// otherwise null.
     SearchProcess(ProcessEnvironment& environment, const SearchProblem& problem, RecodedProblem* recoded,
                   SearchObserver* observer, Checkpoints* checkpoints)
         : environment_(environment), problem_(problem), observer_(observer),
@@ -148,8 +149,9 @@ private:
                                 each.individual.fitness, each.place.has_value()});
     }
 
-    /// Measures C_time2, then ends the slaves (the thesis's slaves never ended). First waits until all other work of
-    /// the machine is done, so that the rehearsals do not change the times of that work.
+    /// Measures C_time2, the communication time of a generation, then ends the slaves. (The thesis's slaves never
+    /// ended.) First waits until all other work of the machine is done, so that the measurement does not change the
+    /// times of this work.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)

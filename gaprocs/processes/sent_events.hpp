@@ -12,7 +12,8 @@
 
 namespace placedpar {
 
-/// Packs the events of searches and sends them to rank 0, where tell_event() passes them to an observer.
+/// Sends the events of searches to rank 0 of a run that is divided among several computers (ranks). There tell_event()
+/// passes the events to an observer.
 class SentEvents final : public SearchObserver {
 public:
     explicit SentEvents(std::function<void(MessageBytes)> send) : send_(std::move(send)) {}
@@ -24,7 +25,7 @@ private:
     std::function<void(MessageBytes)> send_;
 };
 
-/// Sends the states of searches to rank 0, where tell_event() stores them. The searches themselves continue from
+/// Sends the states of searches to rank 0, where tell_event() stores them. The searches of this rank continue from
 /// `begun`.
 class SentCheckpoints final : public Checkpoints {
 public:

@@ -26,8 +26,8 @@ struct NextTask {};
 
 /// A slave of algorithm A: three processes on one processor. One process of high priority passes tasks on to the slaves
 /// behind, another passes results on towards the master. A process of low priority evaluates. If the slave may have
-/// several unanswered tasks, a fourth process queues them, so that tasks for the slaves behind never wait for the
-/// evaluation.
+/// several unanswered tasks, a fourth process queues these tasks, so that tasks for the slaves behind never wait for
+/// the evaluation.
 class Slave {
 public:
     Slave(const ProcessEnvironment& environment, std::shared_ptr<const SearchProblem> problem)

@@ -8,9 +8,9 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// Finds the channel on which a process reaches a slave. The slaves behind a process are numbered depth first, so the
-/// slaves behind one channel have consecutive numbers, as in the interval routing of INMOS's C104. To find the channel,
-/// a process needs only the number of slaves behind each channel.
+/// Finds the channel on which a master, or a slave that passes on messages, reaches another slave. The slaves behind a
+/// process are numbered depth first. So the slaves behind one channel have consecutive numbers, as in the interval
+/// routing of INMOS's C104. To find the channel, a process needs only the number of slaves behind each channel.
 class SlaveRoutes {
 public:
     SlaveRoutes() = default;
@@ -34,8 +34,7 @@ private:
     std::vector<std::size_t> behind_;
 };
 
-/// Reads the routes of a master or a slave from the netlist. On a real transputer, the configurer would pass the routes
-/// to the program.
+/// Computes the routes of a master or a slave from the connections of the netlist.
 SlaveRoutes read_routes(const ProcessEnvironment&);
 
 } // namespace placedpar

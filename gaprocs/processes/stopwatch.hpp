@@ -11,8 +11,9 @@ namespace placedpar {
 class Stopwatch {
 public:
     void start() { started_ = timer_.read(); }
-    /// REQUIRES: the process has the same priority as at start(), because each priority has its own clock, and less
-    /// than half of the clock's period has passed since start(); on a T2 at low priority, half of the period is 2.1 s.
+    /// REQUIRES: the process has the same priority as at start(), because each priority has its own clock. Also
+    /// requires that less than half of the clock's period has passed since start(). On a T2 at low priority, half of
+    /// the period is 2.1 s.
     void stop() {
         measured_ += timer_.minus(timer_.read(), started_) * timer_.tick();
         ++times_;

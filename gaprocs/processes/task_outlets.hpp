@@ -19,19 +19,19 @@ enum class Sending {
              ///< the transfer
 };
 
-/// A master's channels to its slaves.
+/// A master's channels to its slaves, for sending tasks (strings to be evaluated).
 class TaskOutlets {
 public:
     TaskOutlets(std::vector<Output<Task>> channels, Sending sending)
         : channels_(std::move(channels)), sending_(sending) {}
 
     std::size_t count() const { return channels_.size(); }
-    /// Runs `body`. Returns when all tasks have been sent. REQUIRES: send() is called only by `body`.
+    /// Runs `body`, which calls send(). Returns when all tasks have been sent. REQUIRES: only `body` calls send().
     void during(const std::function<void()>& body, const SourceLocation& = SourceLocation::current());
     void send(std::size_t channel, Task);
 
 private:
-    using Handed = InPlace<std::optional<Task>>; ///< nothing: there are no more tasks
+    using Handed = InPlace<std::optional<Task>>; ///< an absent task ends the sending process
 
     void send_all_handed(std::size_t channel);
 

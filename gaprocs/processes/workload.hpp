@@ -10,7 +10,8 @@ namespace placedpar {
 
 class ProcessEnvironment;
 
-/// The costs of a process on the machine, as stated in the netlist.
+/// The computing costs of a search or slave on the simulated machine, and the sizes of its messages, as the netlist
+/// states them.
 struct Workload {
     Cycles error_evaluation{};       ///< cost for one individual and one sample
     Cycles genetic_operators{};      ///< cost of reproduction, crossover and mutation for one individual
@@ -20,8 +21,8 @@ struct Workload {
     std::uint32_t measurement_bytes = 0;
 };
 
-/// Returns the number of cycles for copying `bytes` bytes from external memory to external memory. Each word is read
-/// and written; at 20 MHz this gives 13.3 Mbyte/s (T800 databook).
+/// Returns the number of cycles for copying `bytes` bytes from external memory to external memory. Each word of 4 bytes
+/// is read and written. At 20 MHz this gives 13.3 Mbyte/s (T800 databook).
 constexpr Cycles block_move(std::uint32_t bytes) {
     const std::int64_t words = (std::int64_t{bytes} + 3) / 4;
     return hardware::instructions::block_move_start + 2 * words * hardware::Memory::outside;

@@ -16,8 +16,8 @@ constexpr std::uint64_t gray_decoded(std::uint64_t code) {
     return code;
 }
 
-/// A view of a binary string whose fields are in Gray code. field() decodes a field, so a problem that reads strings by
-/// field(first, count) works with both codes.
+/// A view of a binary string whose fields (the bits of one parameter) are in Gray code. field() returns the decoded
+/// number. So a problem that reads strings by field(first, count) works with natural binary and with Gray code.
 template <typename G>
 class GrayCoded {
 public:
@@ -33,15 +33,14 @@ private:
     const G& genome_;
 };
 
-/// The type of string that a problem reads: the string itself, or a view that decodes Gray code.
+/// The type of string that a problem reads: the string itself, or, if `gray`, a view that decodes Gray code.
 template <bool gray>
 using StringRead = std::conditional_t<gray, GrayCoded<Genome>, const Genome&>;
 
-/// Returns the length of a string of `bits` bits after `dont_care` bits have been inserted between every two
+/// Returns the length of a string of `bits` bits after `dont_care` unused bits have been inserted between every two
 /// neighbouring bits (thesis eq. 6.15). REQUIRES: bits > 0.
 constexpr std::size_t stuffed_bits(std::size_t bits, std::size_t dont_care) { return bits + dont_care * (bits - 1); }
-/// Returns the string without its don't-care bits. REQUIRES: genome.size() == stuffed_bits(n, dont_care) for some n >
-/// 0.
+/// Returns the string without its unused bits. REQUIRES: genome.size() == stuffed_bits(n, dont_care) for some n > 0.
 Genome unstuffed(const Genome& genome, std::size_t dont_care);
 
 } // namespace placedpar

@@ -15,7 +15,7 @@ namespace placedpar {
 
 class RandomStream; // runtime/random.hpp
 
-/// A binary string of any length, which codes one individual of a search (thesis 1.1, eq. 1.6).
+/// A binary string of any length, which codes one individual of a genetic algorithm (thesis 1.1, eq. 1.6).
 ///
 /// Bit 0 is the leftmost character of the text, and the most significant bit of words()[0]. So shifts suffice to read a
 /// field of bits as a natural binary number:
@@ -42,7 +42,7 @@ public:
 
     /// Reads a string of characters '0' and '1'. Throws std::invalid_argument for other characters.
     static Genome from_string(std::string_view text);
-    /// Returns a random string; each bit is 1 with probability 1/2. Draws ceil(size / 32) numbers.
+    /// Returns a random string; each bit is 1 with probability 1/2. Draws ceil(size / 32) random numbers.
     static Genome random(std::size_t size, RandomStream& random);
 
     std::size_t size() const { return size_; }

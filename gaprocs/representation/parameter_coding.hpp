@@ -18,9 +18,9 @@ concept BinaryString = requires(const G& genome) {
     { genome.field(std::size_t{}, std::size_t{}) } -> std::convertible_to<std::uint64_t>;
 };
 
-/// A parameter, coded in a field of bits. The whole number n in the field stands for `low` + (`high` - `low`) * n /
-/// 2^`bits` (thesis eq. 1.5). So no code stands for `high`. If the parameter is `whole`, such as the delay of Table
-/// 5.1, it is rounded down: with `low` = 1 and `high` = 5 it is 1, 2, 3 or 4.
+/// A parameter of a problem, coded in a field of bits of a string. The whole number n in the field stands for `low` +
+/// (`high` - `low`) * n / 2^`bits` (thesis eq. 1.5). So no code stands for `high`. If the parameter is `whole`, its
+/// value is rounded down: with `low` = 1 and `high` = 5 it is 1, 2, 3 or 4.
 struct ParameterField {
     double low = 0, high = 1; ///< in the parameter's unit
     std::size_t bits = 10;
@@ -33,7 +33,8 @@ struct ParameterField {
         double value = low + resolution() * static_cast<double>(code);
         return whole ? std::floor(value) : value;
     }
-    /// Returns the number, rounded down if the parameter is `whole`. REQUIRES: low <= number <= high.
+    /// Returns the number, rounded down if the parameter is `whole`, to a value that a code can have. REQUIRES: low <=
+    /// number <= high.
     double rounded(double number) const { return whole ? std::min(std::floor(number), std::ceil(high) - 1) : number; }
     /// Returns the difference between the values of neighbouring codes, before rounding.
     double resolution() const { return (high - low) / codes(); }
@@ -59,10 +60,10 @@ public:
     /// Returns the length of the whole string in bits.
     std::size_t bits() const { return bits_; }
     /// Returns the representation of the parameters as real numbers in the ranges of their fields. The caller has to
-    /// round whole parameters, by ParameterField::rounded().
+    /// round `whole` parameters by ParameterField::rounded().
     RealVector reals() const;
 
-    /// REQUIRES: parameter < parameters(), and a string of bits() bits.
+    /// Returns the value of a parameter in a string. REQUIRES: parameter < parameters(), and a string of bits() bits.
     template <BinaryString G>
     double value(const G& genome, std::size_t parameter) const {
         const Field& place = places_[parameter];
@@ -71,7 +72,7 @@ public:
         double value = place.low + place.resolution * static_cast<double>(code);
         return place.whole ? std::floor(value) : value;
     }
-    /// Returns the values of a parameter in several strings.
+    /// Returns the values of a parameter in several strings, which lie side by side in vector registers.
     template <std::size_t width, bool gray>
     [[gnu::always_inline]] Lanes<width> value(const StringsInLanes<width, gray>& strings, std::size_t parameter) const {
         const Field& place = places_[parameter];

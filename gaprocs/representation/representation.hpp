@@ -13,15 +13,15 @@ namespace placedpar {
 
 class RandomStream;
 
-/// The kind of elements that a string has. It determines how strings can be crossed and mutated.
+/// The kind of elements that a string has. The kind determines which crossovers and mutations work on the string.
 enum class StringKind : unsigned char { binary, real, permutation };
 
 /// Returns "binary strings", "real vectors" or "permutations".
 std::string_view name_of(StringKind);
 
-// Each representation has bits(), the length of the string, and decode(), which returns what the string codes. Every
-// string is a Genome; a real number or an entry of a permutation takes 64 bits. So code that only passes strings on
-// need not know their kind.
+// A representation says what the bits of a string stand for. Each class below has bits(), the length of the string, and
+// decode(), which returns what the string codes. Every string is a Genome, so code that only passes strings on need not
+// know their kind. A real number or an entry of a permutation takes 64 bits.
 
 /// A binary string that the problem itself interprets.
 class BitString {
@@ -97,8 +97,9 @@ public:
     const RealVector& reals() const { return std::get<RealVector>(of_); }
     const Permutation& permutation() const { return std::get<Permutation>(of_); }
 
-    /// Returns a random string. Each bit is 1 with probability 1/2 (drawn as by Genome::random); each real number is
-    /// uniform in its range (one draw); all permutations are equally likely (at least places - 1 draws).
+    /// Returns a random string. Each bit is 1 with probability 1/2 (drawn by Genome::random()); each real number is
+    /// uniform in its range (one random number); all permutations are equally likely (at least places - 1 random
+    /// numbers).
     Genome random(RandomStream& random) const;
     std::vector<Genome> random_population(std::size_t count, RandomStream& random) const;
 
@@ -107,9 +108,9 @@ public:
     bool holds(std::span<const Genome> strings) const;
 
     /// Returns the distance between two strings: for binary strings the number of bits in which they differ; for real
-    /// vectors the Euclidean distance, with each number in units of the width of its range; for permutations the number
-    /// of edges of one closed tour that the other tour does not have. REQUIRES: both strings belong to this
-    /// representation.
+    /// vectors the Euclidean distance, with each number in units of the width of its range; for permutations, seen as
+    /// closed tours, the number of edges of one tour that the other tour does not have. REQUIRES: both strings belong
+    /// to this representation.
     double distance(const Genome& a, const Genome& b) const;
 
     /// Returns the string as a text, such as "01101", "0.5 -3" or "2 0 1".

@@ -10,8 +10,8 @@
 
 namespace placedpar {
 
-/// A pattern of binary strings: "11****11" matches all strings that begin and end with 11 (thesis 6.1, J. Holland's
-/// schemata). '*' matches both 0 and 1.
+/// A pattern of binary strings, one of J. Holland's schemata (thesis 6.1). '*' matches both 0 and 1: "11****11" matches
+/// all strings of 8 bits that begin and end with 11.
 class Schema {
 public:
     /// Reads a schema from a text of '0', '1' and '*'. Throws std::invalid_argument for other characters and for an

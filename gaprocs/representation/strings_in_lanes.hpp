@@ -11,13 +11,15 @@
 
 namespace placedpar {
 
-/// The strings of `width` individuals in the lanes of vector registers. field() reads a field of all these strings at
-/// once, several times as fast as a loop over the strings. The rules at the top of runtime/lanes.hpp apply.
+/// Binary strings of several individuals, side by side in vector registers: each string has one lane. field() reads a
+/// field (the bits of one parameter) of all these strings at once, several times as fast as a loop over the strings.
+/// The rules at the top of runtime/lanes.hpp apply.
 template <std::size_t width, bool gray = false>
 class StringsInLanes {
 public:
     static constexpr std::size_t count = Lanes<width>::count;
-    /// The largest number of 64-bit words in a string. Callers read longer strings one by one.
+    /// The largest number of 64-bit words in a string. Callers have to read longer strings one by one, without this
+    /// class.
     static constexpr std::size_t most_words = 4;
 
     /// Takes the strings from index `first` on. If fewer strings than lanes are left, the other lanes repeat the last
@@ -32,8 +34,8 @@ public:
         }
     }
 
-    /// Reads a field as Genome::field() does. REQUIRES: what Genome::field() requires, and bits <= 52, because a double
-    /// has to hold the number.
+    /// Reads a field as Genome::field() does. REQUIRES: what Genome::field() requires, and bits <= 52, because the
+    /// field's number must fit a double exactly.
     [[gnu::always_inline]] Lanes<width> field(std::size_t first, std::size_t bits) const {
         const std::size_t word = first / 64, offset = first % 64;
         alignas(alignment) Codes codes[registers];

@@ -65,8 +65,8 @@ CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity
     return add(before, at, activity, with_executive(process), executive_of(process));
 }
 
-/// Adds the transfer of a message over its link, or on the processor of both processes. A packet counts for the channel
-/// that it belongs to.
+/// Adds the transfer of a message over its link, or on the processor of both processes. The transfer of a packet is a
+/// part of the message whose packet it is.
 CriticalPath::Number CriticalPath::add_message(Number before, const Lane& lane, const AnyChannel& channel, Time now) {
     auto link = carried_by_.find(&channel);
     const AnyChannel* packets_of = channel.payload().channel;
@@ -94,7 +94,8 @@ std::vector<CriticalPath::Number*> CriticalPath::numbers_in_use() {
     return numbers;
 }
 
-/// Removes points that are no longer needed. A turn on an executive that ended before now cannot cause further events.
+/// Removes points that are no longer needed. The end of a turn on a processor's scheduler (executive) cannot cause
+/// events later than its own time.
 void CriticalPath::forget(Time now) {
     if (!points_.should_forget())
         return;
@@ -131,7 +132,7 @@ void CriticalPath::begin(const Process& process, Time now) {
 }
 
 /// Returns the event that gave the process its turn: the end of its wait, the end of the preceding turn on its
-/// executive, or a new event for the time in which the process was ready.
+/// processor, or a new event for the time in which the process was ready.
 CriticalPath::Number CriticalPath::turn_of(const Lane& lane, Number made_ready, Time now) {
     if (points_[made_ready].at == now)
         return made_ready;
@@ -280,7 +281,7 @@ void CriticalPath::end(Lane& lane, Time now) {
         parent->cause = lane.last;
 }
 
-/// Ends the path. If the work did not end with the end of a process, the path leads to the last event of any process.
+/// Ends the path. If the run did not end with the end of a process, the path leads to the last event of any process.
 void CriticalPath::over(Time now) {
     for (auto& [ordinal, lane] : lanes_)
         if (lane.does == Activity::computing)

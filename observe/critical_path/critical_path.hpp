@@ -17,14 +17,16 @@
 
 namespace placedpar {
 
-/// Records the critical path of a run while it happens. Each event is stored with its cause. The cause of a message is
-/// the arrival of the later of its two processes at the channel. The cause of a turn on a processor is the end of the
-/// preceding turn; the cause of the end of a PAR is the end of its last component. Processes of booted programs have
-/// accounts, but no points on the path; the path leads over their host and links instead. The causes lead from the end
-/// of the run to its beginning without a gap, since each activity begins when its cause ends.
+/// Records the critical path of a run: the chain of activities without a gap that determines when the run ends. Each
+/// event is stored with its cause. The cause of a message is the arrival of the later of its two processes at the
+/// channel. The cause of a turn on a processor is the end of the preceding turn; the cause of the end of a PAR is the
+/// end of its last component. Because each activity begins when its cause ends, the causes lead from the end of the run
+/// to its beginning. The processes inside a booted program have no points on the path; the path leads over the
+/// program's host and links. But accounts() includes these processes.
 class CriticalPath final : public ActivityLog<CriticalPath> {
 public:
-    /// If the path exceeds `most_points`, it is discarded, and the rest of the run takes no further memory.
+    /// If more than `most_points` points are needed, the path is discarded, and the rest of the run takes no further
+    /// memory.
     explicit CriticalPath(std::size_t most_points = most_path_points);
 
     bool too_long() const { return points_.too_long(); }
@@ -34,7 +36,7 @@ public:
     /// Returns how each process of the netlist spent its time. REQUIRES: the run is over.
     const std::map<std::string, Account>& accounts() const { return accounts_.all(); }
 
-    /// Returns, for each direction of a link, how long outputting processes waited for inputting processes.
+    /// Returns for each direction of a link how long senders waited for receivers.
     const std::map<std::string, Time>& waits_at_links() const { return waits_at_links_; }
 
     void turns(const Process&, Activity, Time) override;
@@ -82,10 +84,10 @@ private:
     std::vector<std::string> subjects_;
     std::unordered_map<std::string, std::uint32_t> numbers_; ///< numbers of subjects and places
     std::map<std::uint32_t, Lane> lanes_;                    ///< key: ordinal of a process that exists
-    std::unordered_map<const Executive*, Number> held_;      ///< last event on each executive
+    std::unordered_map<const Executive*, Number> held_;      ///< last event on each executive (a processor's scheduler)
     std::unordered_map<std::string, Number> bus_held_;       ///< last use of each bus
-    std::map<std::pair<const AnyChannel*, bool>, Number>
-        came_; ///< last arrival at each end of each channel; `true` is the outputting end
+    /// Last arrival at each end of each channel; `true` is the outputting end.
+    std::map<std::pair<const AnyChannel*, bool>, Number> came_;
     std::unordered_map<const AnyChannel*, std::string> carried_by_; ///< direction of the link that carries the channel
     std::unordered_map<const AnyChannel*, Time> carried_since_;     ///< when the channel's bytes last began to flow
     std::map<std::string, Time> waits_at_links_;
@@ -100,7 +102,7 @@ private:
     Time over_{};
 };
 
-/// The time that a path spends on one activity of one subject.
+/// The time that a path spends on one activity of one subject, such as a process on a processor.
 struct PathShare {
     Activity activity;
     std::string subject;
@@ -110,10 +112,9 @@ struct PathShare {
 std::vector<PathShare> shares_of(const std::vector<PathPart>&);
 /// Returns a text such as "computing: master on t[0]".
 std::string name_of(const PathShare&);
-/// Returns the shares as shares_of() does, but with one share for all elements of an array: "computing: slave[] on
-/// t[]".
+/// Returns shares as shares_of() does, but combines all elements of an array in one share: "computing: slave[] on t[]".
 std::vector<PathShare> shares_by_array(const std::vector<PathPart>&);
-/// Returns one share for each activity, with the subject "".
+/// Returns shares that combine all subjects: one for each activity, with the subject "".
 std::vector<PathShare> shares_by_activity(const std::vector<PathPart>&);
 
 } // namespace placedpar

@@ -10,16 +10,17 @@
 
 namespace placedpar {
 
-/// Limits the number of points. At the limit, the points and the path computed from them take about 2 Gbyte of memory.
+/// The usual limit of the number of points. At this limit, the points and the path computed from them take about 2
+/// Gbyte of memory.
 inline constexpr std::size_t most_path_points = 2'000'000;
 
-/// Stores events, each with the event that caused it. The events form a tree; its root, point 0, is the beginning of
-/// the run. From time to time, all points are removed except the points in use and their direct and indirect causes. If
-/// too many points remain, the tree is given up: from then on this object holds only the points in use, and the cause
-/// of each.
+/// Stores the events of a run, each with the event that caused it, to find the critical path. The events form a tree;
+/// its root, point 0, is the beginning of the run. To save memory, all points are removed from time to time except the
+/// points in use and their direct and indirect causes. If too many points remain, the tree is given up. From then on
+/// this object holds only the points in use, and the cause of each of them.
 class PathPoints {
 public:
-    using Number = std::uint32_t; ///< index of a point; changes when points are removed
+    using Number = std::uint32_t; ///< index of a point; forget_but() changes indices
     /// An event. The activity lasted from the event `before` until `at`.
     struct Point {
         Time at;
@@ -52,7 +53,7 @@ private:
 
     std::vector<Point> points_;
     std::size_t most_;
-    std::size_t room_; ///< number of points that triggers the next removal
+    std::size_t room_; ///< number of points at which points are removed next
     bool too_long_ = false;
 };
 

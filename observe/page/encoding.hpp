@@ -6,8 +6,8 @@
 
 namespace placedpar::page {
 
-/// Appends a number in the fewest bytes: seven bits in each byte, the lowest bits first; the highest bit is set in all
-/// bytes but the last.
+/// Appends a number in the fewest bytes: seven bits in each byte, the lowest bits first. The highest bit is 1 in all
+/// bytes except the last.
 void append_number(std::string& bytes, std::uint64_t number);
 /// Returns the bytes compressed in the format of zlib (RFC 1950), which browsers call "deflate".
 std::string deflated(std::string_view bytes);

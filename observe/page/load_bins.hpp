@@ -8,13 +8,14 @@
 
 namespace placedpar::page {
 
-/// Counts in bins of time how long each track runs and how long it is ready. All bins have one width, which doubles
-/// whenever there would be too many bins, so a run of any length takes the same memory.
+/// Counts how long each track (the timeline of a processor, process or link) runs and how long it is ready, in bins of
+/// time. All bins have the same width. The width doubles whenever there would be too many bins, so a run of any length
+/// takes the same memory.
 class LoadBins {
 public:
     enum class State { running, ready };
 
-    /// The first bin begins at the origin.
+    /// The first bin begins at `origin`.
     LoadBins(std::size_t most_bins, Time origin);
 
     /// Adds an interval. REQUIRES: the intervals of one state of one track do not overlap; no interval begins before

@@ -12,9 +12,9 @@
 
 namespace placedpar::page {
 
-/// Keeps a trace for a page of bounded size: the load of every track in bins, and the slices and messages, packed. If
-/// there are too many slices and messages, only the slices and messages at the beginning and the end of the run are
-/// kept.
+/// Keeps the trace of a run for an HTML page of bounded size. It keeps the load of every track (the timeline of a
+/// processor, process or link) in bins of time, and the slices (bars of the timelines) and messages. If there are too
+/// many slices and messages, it keeps only those at the beginning and the end of the run.
 class PageRecorder final : public TraceWriter {
 public:
     /// REQUIRES: the tracks outlive this object.
@@ -27,11 +27,11 @@ public:
 
     /// Returns {"begin", "end", "why", "bin": width of a bin, "left_out": number of slices and messages left out,
     /// "lost": [begin, end] of the interval without them, "doing": names of activities, "nodes", "tracks", "deflated",
-    /// "stretches": [begin, end, number of slices and messages, ...], "texts": texts of the path, "path": [track,
-    /// begin, duration, name, ...]}. Times are in picoseconds. REQUIRES: finish() was called.
+    /// "stretches" (packed pieces of the trace): [begin, end, number of slices and messages, ...], "texts": texts of
+    /// the path, "path": [track, begin, duration, name, ...]}. Times are in picoseconds. REQUIRES: finish() was called.
     boost::json::object json();
-    /// Returns the stretches in the order of json(); they are compressed if "deflated" is true. REQUIRES: finish() was
-    /// called.
+    /// Returns the contents of the stretches, in the order of json(). They are compressed if "deflated" is true.
+    /// REQUIRES: finish() was called.
     const Stretches& stretches() const { return stretches_; }
 
 private:

@@ -20,9 +20,9 @@ namespace placedpar {
 
 namespace {
 
-/// Limits the size of networks that are drawn; a browser would be too slow with larger networks.
+/// The largest number of parts of a network that is drawn. A browser would be too slow with larger networks.
 constexpr std::size_t most_drawn = 20'000;
-/// Limits the rows of tables; longer tables are left to `--json`.
+/// The largest number of rows of a table. Longer tables are only in the report of `--json`.
 constexpr std::size_t most_rows = 3000;
 constexpr std::size_t most_generations = 500;
 

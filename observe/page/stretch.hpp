@@ -10,34 +10,38 @@
 
 namespace placedpar::page {
 
-/// A packed stretch: see Stretch::pack().
+/// A piece of a run's trace, packed by Stretch::pack().
 struct PackedStretch {
     Time begin, end;
     std::size_t entries; ///< slices and messages
     std::string bytes;
 };
 
-/// Collects the slices and messages of an interval of a run. A packed stretch contains its texts, so it can be unpacked
-/// alone.
+/// Collects a piece of a run's trace, which a browser unpacks when it shows this piece: the slices (bars of timelines)
+/// and messages of an interval. A packed stretch contains its texts, so it can be unpacked without others.
 class Stretch {
 public:
     explicit Stretch(Time begin) : begin_(begin), end_(begin) {}
 
     Time begin() const { return begin_; }
-    Time end() const { return end_; } ///< latest end of its entries
+    Time end() const { return end_; } ///< latest end of a slice or message
     std::size_t entries() const { return slices_.size() + arrows_.size(); }
 
     /// REQUIRES, also for messages: the entry begins neither before the stretch nor before the last entry of its track.
     void add(const Slice&);
     void add(const MessageArrow&);
 
-    /// Packs the stretch, which then begins anew at its end. The bytes are numbers (append_number). Each value below is
-    /// a column over all slices or messages, since values of one kind compress best if they follow each other: length
-    /// of the texts in bytes; the texts as JSON; number of tracks that have slices; for each such track: its number and
-    /// its number of slices; for all slices, by track: time since the end of the track's preceding slice, or since the
-    /// stretch's begin; duration; activity, plus 16 if the slice is open; number of its text; number of messages; for
-    /// all messages, in order of leaving: sender's track; receiver's track; time since the preceding message left, or
-    /// since the stretch's begin; duration; number of the channel's text. Times are in picoseconds.
+    /// Packs the stretch. Afterwards the stretch is empty and begins at its former end. The bytes are numbers, written
+    /// by append_number(). Values of one kind compress best if they follow each other. So each of these values is
+    /// written for all slices or messages before the next value. Times are in picoseconds:
+    ///
+    ///     texts                 length of the texts in bytes; the texts as JSON
+    ///     tracks                number of tracks that have slices; for each: its number, its number of slices
+    ///     slices, by track      time since the end of the track's preceding slice, or since the stretch's
+    ///                           begin; duration; activity, plus 16 if the slice is open; number of its text
+    ///     messages, by leaving  number of messages; sender's track; receiver's track; time since the preceding
+    ///                           message left, or since the stretch's begin; duration; number of the
+    ///                           channel's text
     PackedStretch pack();
 
 private:

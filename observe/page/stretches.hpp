@@ -5,19 +5,21 @@
 
 namespace placedpar::page {
 
-/// Limits the slices and messages of a page.
+/// Limits the slices (bars of timelines) and messages of a run's HTML page.
 struct Room {
-    std::size_t entries_of_stretch = 40'000;    ///< a browser unpacks such a stretch in some hundredths of a second
-    std::size_t entries_at_once = 250'000;      ///< the page of a run with at most this many entries is not compressed
+    /// A browser unpacks a stretch with so many entries in some hundredths of a second.
+    std::size_t entries_of_stretch = 40'000;
+    /// With at most this number of slices and messages, the page is not compressed.
+    std::size_t entries_at_once = 250'000;
     std::size_t bytes_of_each_end = 16'000'000; ///< keeps a page below 64 megabytes
 };
 
-/// Collects the slices and messages of a run of any length in stretches. The open stretch receives new entries; a full
-/// stretch is packed immediately.
+/// Collects the slices and messages of a run of any length in stretches, that is, packed pieces of the trace. The open
+/// stretch receives new entries; a full stretch is packed immediately.
 ///
 /// An entry that begins before the open stretch goes into a second row of longer stretches, or into a third row if it
-/// begins before the second row's open stretch. The stretches of a row do not overlap. So all entries at a given time
-/// are in the stretches that contain this time.
+/// begins before the second row's open stretch. The stretches of a row do not overlap. So a browser finds all entries
+/// at a given time in the few stretches that contain this time.
 class Stretches {
 public:
     Stretches(const Tracks&, Time from, const Room& = {});

@@ -6,8 +6,9 @@
 
 namespace placedpar {
 
-/// Calls the reader's function for each kind of notice about a process. A Reader has a map lanes_ with the lane of each
-/// living process, by the process's ordinal, and these functions:
+/// Sorts the kernel's notices about processes for a derived class, the Reader: for each kind of notice it calls a
+/// function of the Reader. A Reader has a map `lanes_` with its data about each living process (the lane), by the
+/// process's ordinal, and these functions:
 ///   begin(process, now)           the process begins to exist; the process is ignored if no lane is added here;
 ///   wait(lane, activity, now)     a wait begins;
 ///   become_ready(lane, now)       a wait or a computation is over, but the program does not run yet;

@@ -7,7 +7,8 @@
 
 namespace placedpar {
 
-/// A part of a run's critical path. It begins where the preceding part ends; the first part begins with the run.
+/// A part of a run's critical path, the chain of activities that determines when the run ends. A part begins when the
+/// preceding part ends; the first part begins with the run.
 struct PathPart {
     Activity activity;   ///< starting, computing, carrying (a message), moving, arbitrating, delayed, ready or ended
     std::string subject; ///< a process with its processor ("master on t[0]"), a channel, a bus, or a process alone

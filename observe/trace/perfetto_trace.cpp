@@ -109,8 +109,8 @@ void PerfettoTrace::add(const std::string& event) {
     file_.write(event);
 }
 
-/// Returns the numbers of the track's process and thread. The numbers are above 0, which viewers reserve. All are
-/// different, since a thread with the number of its process would be drawn first.
+/// Returns the numbers of the track's process and thread in the format. The numbers are above 0, because viewers
+/// reserve 0. All numbers are different, because a thread with the number of its process would be drawn first.
 std::string PerfettoTrace::place(std::size_t track) const {
     return fmt::format(R"("pid":{},"tid":{})", tracks_.all()[track].place.node + 1, tracks_.nodes().size() + 1 + track);
 }

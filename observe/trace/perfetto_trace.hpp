@@ -9,14 +9,16 @@
 namespace placedpar {
 
 /// Writes a trace in the Trace Event Format (JSON) during the run; ui.perfetto.dev and chrome://tracing show it as a
-/// timeline. In that format a node is a process, and each of its tracks a thread.
+/// timeline. In this format a node of the network is a "process", and each of its tracks (the timeline of a processor,
+/// process or link) a "thread".
 ///
-/// A slice is a complete event (X); an open slice is an event that only begins (B). A message is a flow (s, f) between
-/// slices. The end of the trace is an instant (i) that states the reason. Names and order are metadata (M).
+/// A slice (a bar of a timeline) is a complete event (X). A slice without an end is an event that only begins (B). A
+/// message is a flow (s, f) between slices. The end of the trace is an instant (i) that states the reason. Names and
+/// order are metadata (M).
 ///
-/// A critical path is a separate process above all other processes. One thread has the whole path; each processor and
-/// link on the path has a thread with the parts that use it. The parts are red in viewers that accept colours (cname).
-/// A flow leads from each part to the next, so that one line leads from the beginning of the run to its end.
+/// The critical path is a separate "process" above all other processes. One thread has the whole path; each processor
+/// and link on the path has a thread with the parts that use it. The parts are red in viewers that accept colours
+/// (cname). A flow leads from each part to the next, so that one line leads from the beginning of the run to its end.
 class PerfettoTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.

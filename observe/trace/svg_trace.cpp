@@ -68,7 +68,7 @@ Look look_of(Activity activity) {
     }
 }
 
-/// A stretch of a row, in pixels from the beginning of the time axis.
+/// A bar of a row, in pixels from the beginning of the time axis.
 struct Bar {
     double from, to;
     std::string subject; ///< the process that a processor executes
@@ -192,7 +192,7 @@ private:
             print_bars(row.y, style_of(look), joined(bars));
     }
 
-    /// Draws the bars of one look as one path, and names in bars that have room for them.
+    /// Draws the bars of one look as one path, and writes names into bars that have room.
     void print_bars(double y, const LookStyle& look, const std::vector<Bar>& bars) {
         std::string data;
         for (const Bar& bar : bars)

@@ -10,13 +10,13 @@
 namespace placedpar {
 
 /// Draws a trace as a timeline in SVG, for pages and papers. Each node is a group of rows: its processor, its
-/// processes, the directions of its links, its buses. A row without any slice is left out. A process and the components
-/// of its PARs share a row. The row shows computing if one of them computes; otherwise waiting for the processor if one
-/// of them waits for the processor; otherwise waiting for a partner. Bars that would touch at the drawing's resolution
-/// are joined. Arrows are the messages between rows.
+/// processes, the directions of its links, its buses. A row without any activity is left out. A process and the
+/// components of its PARs share a row. Such a row shows computing if one of these processes computes; otherwise waiting
+/// for the processor if one of them waits for the processor; otherwise waiting for a partner. Bars with a gap too small
+/// to see are joined. Arrows are the messages between rows.
 class SvgTrace final : public TraceWriter {
 public:
-    /// Largest number of slices and messages of a drawing: more could not be distinguished.
+    /// Largest number of slices (bars) and messages of a drawing, because more could not be distinguished.
     static constexpr std::size_t most_entries = 20'000;
 
     /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.

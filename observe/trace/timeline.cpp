@@ -13,7 +13,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether the last activity of the process never ended: the run was stopped, or the process is in the
+/// Returns whether the last activity of the process never ended: the run was stopped, or the process takes part in the
 /// deadlock.
 bool never_ends(const std::string& process, const RunResult& result) {
     return result.ending != Ending::completed &&
@@ -67,7 +67,8 @@ void Timeline::turns(const Process& process, Activity activity, Time now) {
         tell(process, activity, now);
 }
 
-/// Ends the present slice of a booted program's process, which is known by its name, and begins the next slice.
+/// Ends the present slice (the interval of one activity) of a booted program's process, which is known by its name, and
+/// begins the next slice.
 void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     if (!taking(now))
         return;
@@ -100,7 +101,7 @@ void Timeline::program_turns(const ProgramTurn& turn, Time now) {
     use_links(lane);
 }
 
-/// Notes a wait for links. The partner of such a wait is the link itself.
+/// Notes a wait of a booted program's process for links. The partner of such a wait is the link itself.
 void Timeline::use_links(const ProgramLane& lane) {
     for (const Awaited& each : lane.awaited)
         if (each.channel == each.partner)
@@ -126,7 +127,7 @@ void Timeline::close(ProgramLane& lane, Time end, bool open) {
         place(message, lane.track, std::max(lane.since, window_.from));
 }
 
-/// Notes that a process has output or input a message; communicated() notes both at once.
+/// Notes that a process known by its name has output or input a message.
 void Timeline::program_communicates(const MessagePart& part, Time now) {
     const auto found = programs_.find(part.process);
     if (!taking(now) || now < window_.from || found == programs_.end())
@@ -146,7 +147,7 @@ void Timeline::program_communicates(const MessagePart& part, Time now) {
         lane.here.push_back({part.message, part.is_input});
 }
 
-/// Writes the last slice. If the trace ends before a wait does, the message that ends the wait arrives at the time of
+/// Writes the last slice. If the trace ends during a wait, the message that would end the wait arrives at the time of
 /// its transfer.
 void Timeline::finish(ProgramLane& lane, bool open) {
     close(lane, *end_, open);
@@ -306,8 +307,8 @@ Slice Timeline::slice_of(const Lane& lane, Time end, bool open) const {
     return slice;
 }
 
-/// Returns the process that came to the other end of the channel. If no process has come, returns the last user of that
-/// end, or the outermost process of a user that has ended; "" if unknown.
+/// Returns the partner of a wait: the process that came to the other end of the channel. If no process has come,
+/// returns the last user of this end, or, if this user has ended, its outermost process; "" if unknown.
 std::string Timeline::partner(const Lane& lane, const AnyChannel& channel, bool open) const {
     if (lane.partner != Tracks::none)
         return tracks_.all()[lane.partner].name;
@@ -350,7 +351,7 @@ bool Timeline::write(Slice slice) {
     return true;
 }
 
-/// Sets an end of a message, and writes the message when both ends are known.
+/// Notes the track and the time of one end of a message. Writes the message when both ends are known.
 void Timeline::place(const MessageEnd& end, std::size_t track, Time at) {
     auto found = messages_.find(end.message);
     if (found == messages_.end())

@@ -18,7 +18,7 @@ namespace placedpar {
 /// The part of a run that is traced.
 struct TraceWindow {
     Time from{}, until = Time::max();
-    std::size_t most_entries = 2'000'000; ///< largest number of slices and messages, at which the trace ends
+    std::size_t most_entries = 2'000'000; ///< number of slices and messages at which the trace ends
 
     bool is_part() const { return from > Time{} || until < Time::max(); }
 };
@@ -26,9 +26,10 @@ struct TraceWindow {
 /// Returns the window. Throws UserError if the window is empty.
 const TraceWindow& require_time_in(const TraceWindow&);
 
-/// Converts the kernel's notices into slices on tracks. A slice ends when the process changes its activity. If a
-/// process stops computing and computes again at the same time, its slice continues, unless a message was passed in
-/// between. A wait lasts until its process continues.
+/// Converts the kernel's notices about a run into slices on tracks, for a writer of a trace file. A track is the
+/// timeline of a processor, process, link or bus; a slice is an interval of one activity. A slice ends when the process
+/// changes its activity. If a process stops computing and computes again at the same time, its slice continues, unless
+/// a message was passed in between. A wait lasts until its process continues.
 class Timeline final : public ActivityLog<Timeline> {
 public:
     /// REQUIRES: the tracks and the writer outlive this object.
@@ -38,8 +39,9 @@ public:
     std::optional<Time> full_at() const { return full_at_; }
     /// Returns why no part of the run is in the window; "" if some part is. REQUIRES: the run is over.
     std::string why_empty() const;
-    /// Completes the trace. A wait is written as open if it never ended, or ended after the end of the trace. A wait
-    /// that ended after the work of the run (see wait_until_work_is_over) is not open. REQUIRES: the run is over.
+    /// Completes the trace. A wait that never ended, or that ended after the end of the trace, is written as open, that
+    /// is, without an end. A wait that ended only because the work of the run was over (see wait_until_work_is_over) is
+    /// not open. REQUIRES: the run is over.
     void finish(const RunResult&);
 
     void turns(const Process&, Activity, Time) override;
@@ -53,12 +55,12 @@ public:
 
 private:
     friend class ActivityLog<Timeline>;
-    /// One end of a message, until the slice that contains this end is known.
+    /// The sending or receiving end of a message, until the slice that contains this end is known.
     struct MessageEnd {
         std::uint64_t message;
         bool arrives;
     };
-    /// State of the process of a track.
+    /// State of a process, and of its track.
     struct Lane {
         std::size_t track;
         const Process* process;
@@ -103,7 +105,8 @@ private:
         Time at;
         std::size_t from = Tracks::none, to = Tracks::none;
         Time left{}, arrived{};
-        bool by_two_clocks = false; ///< two clocks timed the message, which may seem to arrive too early
+        /// The times come from two clocks, so the message may seem to arrive before it leaves.
+        bool by_two_clocks = false;
     };
 
     bool taking(Time now);
@@ -136,11 +139,11 @@ private:
     Tracks& tracks_;
     TraceWindow window_;
     TraceWriter& writer_;
-    std::map<std::uint32_t, Lane> lanes_;            ///< key: ordinal of a process that exists
+    std::map<std::uint32_t, Lane> lanes_;            ///< key: ordinal of a living process
     std::map<std::string, ProgramLane> programs_;    ///< key: name of the process
     std::map<std::string, ProgramUse> program_uses_; ///< key: name of the channel
     std::map<std::size_t, Use> uses_; ///< for each track: the present use, or the last use if the track is idle
-    std::map<std::uint64_t, Message> messages_; ///< messages with an end that is not known yet
+    std::map<std::uint64_t, Message> messages_; ///< messages of which one end's slice is not known yet
     std::uint64_t message_count_ = 0;
     std::size_t entries_ = 0;
     std::optional<Time> full_at_;

@@ -14,12 +14,13 @@ namespace placedpar {
 /// Throws UserError unless the name has the ending of a trace format.
 void require_trace_format(const std::filesystem::path&);
 
-/// A trace file. The ending of its name selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace).
-/// A pipe or device without an ending, and standard output ("-"), receive JSON.
+/// A trace file, which shows for a part of a run what each processor, process and link did. The ending of its name
+/// selects the format: .json (PerfettoTrace), .vcd (VcdTrace) or .svg (SvgTrace). A pipe or device without an ending,
+/// and standard output ("-"), receive JSON.
 class TraceFile {
 public:
     /// Throws UserError as require_trace_format() does, and if the file cannot be written or the window is empty. The
-    /// network is used only by the constructor.
+    /// network may be destroyed afterwards.
     TraceFile(const std::filesystem::path&, const Network&, const TraceWindow&);
 
     TraceSink& sink() { return timeline_; }

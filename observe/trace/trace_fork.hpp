@@ -7,7 +7,7 @@
 
 namespace placedpar {
 
-/// Passes the notices of one run on to several sinks.
+/// Passes the notices of one run on to several receivers (sinks), such as a trace file and the critical path.
 class TraceFork final : public TraceSink {
 public:
     /// REQUIRES: the sinks outlive this object.

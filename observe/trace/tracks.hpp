@@ -15,29 +15,31 @@ namespace placedpar {
 
 struct ProgramTurn; // runtime/trace.hpp
 
-/// A line of a drawn trace.
+/// The timeline of a processor, process, link or bus: a line of a drawn trace.
 struct Track {
     /// The kinds of tracks of a node, in drawing order: its processor; the processes that the netlist places on it; the
-    /// processes of the program that it is booted with; the machine's processes that serve its links; each link, in the
-    /// direction that leaves the node; a device's own tracks (DeviceKind::tracks), such as those of a bus.
+    /// processes of the program with which it is booted; the machine's processes that serve its links; each link, in
+    /// the direction that leaves the node; a device's own tracks (DeviceKind::tracks), such as the track of a bus.
     enum class Kind { processor, process, program, machine_process, link, bus };
     /// Orders tracks by node and kind, then as the netlist declares them. A process is followed by the components of
     /// its PARs.
     struct DrawingOrder {
         std::size_t node;
         Kind kind;
-        std::size_t number;                  ///< index of the process or connection
-        std::vector<std::size_t> components; ///< {0, 1} for "master/0/1"; {1} for the direction from b to a
+        std::size_t number; ///< index of the process or connection
+        /// {0, 1} for "master/0/1"; for a wire from a to b: {1} for the direction from b to a.
+        std::vector<std::size_t> components;
         auto operator<=>(const DrawingOrder&) const = default;
     };
 
     std::string name; ///< "t[0]", "master/0/1", "t[0].link[1] -> t[1].link[0]"
     DrawingOrder place;
-    std::size_t outermost; ///< for a component, the track of its outermost process; otherwise the track's own number
+    /// For a component of a PAR, the track of its outermost process; otherwise the track's own number.
+    std::size_t outermost;
 };
 
-/// Holds the tracks of a run. A process has one track for its whole life. A component of a PAR has a track, too, which
-/// it shares with the component of the same position in later PARs. Numbers of tracks are positions in all().
+/// Holds the tracks of a run. A process has one track for its whole life. A component of a PAR also has a track. The
+/// components of the same position in later PARs use the same track. Numbers of tracks are positions in all().
 class Tracks {
 public:
     explicit Tracks(const Network&);

@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// The activities of a process that have a wire. Waiting for components has no wire, since the components share the
-/// wires of their process.
+/// The activities of a process that have a wire. Waiting for components has no wire, because the activities of the
+/// components are on the wires of their process.
 constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
     {Activity::computing, "computes"},     {Activity::ready, "ready"},
     {Activity::inputting, "inputs"},       {Activity::outputting, "outputs"},

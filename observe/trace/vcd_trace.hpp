@@ -16,8 +16,8 @@ namespace placedpar {
 /// component of its PARs has this activity. Each direction of a link has a wire that is 1 while the direction carries
 /// bytes. Each node is a scope that contains a scope for each of its processes. Times are in picoseconds.
 ///
-/// Changes are kept until the end of the run, since slices are written only when they have ended, and thus not in order
-/// of their beginnings.
+/// Changes are kept in memory until the end of the run and then sorted. This is necessary because a slice (an interval
+/// of one activity) arrives when it ends, so slices do not arrive in the order of their beginnings.
 class VcdTrace final : public TraceWriter {
 public:
     /// REQUIRES: file and tracks outlive this object, and nothing has been written to the file.
@@ -28,7 +28,7 @@ public:
     void finish(Time begin, Time end, const std::string& why) override;
 
 private:
-    /// A change of the number of tracks that set the wire to 1: `by` is 1 or -1.
+    /// A change of the number of tracks (processes and components) that set the wire to 1. `by` is 1 or -1.
     struct Change {
         Time at;
         std::uint32_t wire;

@@ -4,7 +4,8 @@
 
 namespace placedpar {
 
-/// Adds the usual benchmark problems (functions of real numbers, binary strings, tours), each with its parameters.
+/// Adds the usual benchmark problems of genetic algorithms (functions of real numbers, binary strings, tours) to the
+/// problems that netlists can name.
 void add_benchmark_problems(ProblemRegistry&);
 
 } // namespace placedpar

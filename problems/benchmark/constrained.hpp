@@ -17,10 +17,11 @@ namespace placedpar {
 
 // The first six problems with constraints of Z. Michalewicz and M. Schoenauer ("Evolutionary algorithms for constrained
 // parameter optimization problems", 1996), in the form of J. Liang and others ("Problem definitions and evaluation
-// criteria for the CEC 2006 special session", 2006): all are minimised, and an equation h(x) = 0 is satisfied if
-// |h(x)| <= 0.0001. optimum() is the best known value under this tolerance.
+// criteria for the CEC 2006 special session", 2006). All are minimised. Each constraint is a number that must be at
+// most 0. An equation h(x) = 0 is satisfied if |h(x)| <= 0.0001. optimum() is the best known value with this tolerance.
 
-/// Base class of the problems; the ranges of the parameters are Function::ranges().
+/// Base class of the problems. `Function` is the derived class, whose function ranges() returns the range of each
+/// parameter.
 template <class Function>
 struct WithinRanges {
     using X = std::span<const double>;
@@ -42,7 +43,7 @@ protected:
     static double sum_of(X x) { return std::accumulate(x.begin(), x.end(), 0.0); }
     static double product_of(X x) { return std::accumulate(x.begin(), x.end(), 1.0, std::multiplies()); }
     static double sum_of_squares(X x) { return std::inner_product(x.begin(), x.end(), x.begin(), 0.0); }
-    /// Returns the constraint for an equation h(x) = 0, given h(x).
+    /// Returns the constraint of the equation h(x) = 0 for a value h of h(x).
     static double equation(double h) { return std::abs(h) - 1e-4; }
 };
 

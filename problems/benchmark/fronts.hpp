@@ -16,10 +16,11 @@
 namespace placedpar {
 
 // Problems with two objectives, both minimised (E. Zitzler, K. Deb and L. Thiele, "Comparison of multiobjective
-// evolutionary algorithms: empirical results", 2000). On the front, f_1 = x_1 and the other parameters are 0.
+// evolutionary algorithms: empirical results", 2000). The Pareto front has the points whose parameters are 0 except
+// x_1, which is also the first objective f_1.
 
-/// Base class of the problems. `Function::second(f, g)` is the second objective, as a function of the first objective f
-/// and of g = distance(), which is 1 on the front and grows with the distance from it.
+/// Base class of the problems. `Function` is the derived class. Its second(f, g) is the second objective, a function of
+/// the first objective f and of g = distance(). On the front g is 1; with the distance from the front g grows.
 template <class Function>
 struct Zdt : OverBox<Function> {
     static constexpr std::size_t usual_dimensions = 30, usual_bits = 30, least_dimensions = 2;
@@ -52,7 +53,8 @@ struct Zdt3 : Zdt<Zdt3> {
     }
 };
 
-/// The first parameter is from 0 to 1, the others from -5 to 5. There are 21^9 local fronts.
+/// The first parameter is from 0 to 1, each other parameter from -5 to 5. With 10 parameters there are 21^9 local
+/// fronts.
 struct Zdt4 : Zdt<Zdt4> {
     static constexpr std::string_view name = "zdt4", about = "ZDT4: two objectives, very many local fronts";
     static constexpr std::size_t usual_dimensions = 10;

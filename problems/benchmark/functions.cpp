@@ -23,8 +23,8 @@ double sum_of(std::span<const double> x, Term term) {
 
 double square(double x) { return x * x; }
 
-/// Returns a random stream that depends on `x` and `seed`. Different numbers give different streams, except when their
-/// 64-bit keys collide.
+/// Returns a random stream that depends on `x` and `seed`. Different arguments give different streams, except when
+/// their 64-bit keys collide.
 RandomStream stream_of(std::span<const double> x, std::uint64_t seed) {
     for (double each : x)
         seed = (seed ^ std::bit_cast<std::uint64_t>(each)) * 0x9e3779b97f4a7c15u + (seed >> 29);

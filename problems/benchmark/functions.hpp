@@ -13,10 +13,11 @@
 namespace placedpar {
 
 // Functions of real numbers; all are minimised. optimum() is the minimum over all real numbers, so perhaps no binary
-// string reaches this value. F1 to F5 are K. De Jong's ("An analysis of the behavior of a class of genetic adaptive
-// systems", 1975), by default with his dimensions and bits.
+// string has this value. F1 to F5 are K. De Jong's functions ("An analysis of the behavior of a class of genetic
+// adaptive systems", 1975), by default with the number of parameters and bits that he used.
 
-/// Base class of functions whose parameters all have the range from Function::low to Function::high.
+/// Base class of functions whose parameters all have the same range. `Function` is the derived class, with the range
+/// from Function::low to Function::high.
 template <class Function>
 struct OverBox {
     std::size_t dimensions = Function::usual_dimensions;
@@ -48,7 +49,7 @@ struct Rosenbrock : OverBox<Rosenbrock> {
     double objective(std::span<const double> x) const;
 };
 
-/// The sum of the parameters, each rounded down. At the minimum every parameter is rounded down to -6.
+/// The sum of the parameters, each rounded down. At the minimum every rounded parameter is -6.
 struct StepFunction : OverBox<StepFunction> {
     static constexpr std::string_view name = "step", about = "the sum of floors (De Jong's F3): a plateau at each step";
     static constexpr std::size_t usual_dimensions = 5, usual_bits = 10;
@@ -57,9 +58,9 @@ struct StepFunction : OverBox<StepFunction> {
     std::optional<double> optimum() const { return -6.0 * static_cast<double>(dimensions); }
 };
 
-/// The sum of i x_i^4 plus a normal deviate. De Jong draws the deviate at each evaluation. Here it depends on `seed`
-/// and the parameters alone, so an individual has the same noise in every evaluation. The optimum is unknown, unless
-/// `noise` is 0.
+/// The sum of i x_i^4 plus noise, a normal deviate. De Jong draws the deviate at each evaluation. Here the deviate
+/// depends only on `seed` and the parameters, so an individual has the same noise in every evaluation. The optimum is
+/// unknown, unless `noise` is 0.
 struct Quartic : OverBox<Quartic> {
     static constexpr std::string_view name = "quartic",
                                       about = "the sum of i x_i^4 with noise (De Jong's F4); equal strings have equal "
@@ -100,8 +101,8 @@ struct Rastrigin : OverBox<Rastrigin> {
     double objective(std::span<const double> x) const;
 };
 
-/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)). The minimum is where all x_i are 420.9687, far from the second deepest
-/// valley.
+/// 418.9829 n - the sum of x_i sin(sqrt(|x_i|)). The minimum, where all x_i are 420.9687, is far from the second
+/// deepest valley.
 struct Schwefel : OverBox<Schwefel> {
     static constexpr std::string_view name = "schwefel",
                                       about = "Schwefel's function: the best valley is far from the second best";
@@ -131,7 +132,7 @@ struct Ackley : OverBox<Ackley> {
     double objective(std::span<const double> x) const;
 };
 
-/// Rastrigin's function, computed `work` times, so that an evaluation takes as long as the user needs.
+/// Rastrigin's function, computed `work` times, for measuring farms: an evaluation takes as long as the user wishes.
 struct Costly : OverBox<Costly> {
     static constexpr std::string_view
         name = "costly",

@@ -13,7 +13,7 @@ namespace placedpar {
 
 // Problems of binary strings; all objectives are maximised.
 
-/// The number of ones.
+/// The objective is the number of ones.
 struct OneMax {
     static constexpr std::string_view name = "one-max", about = "the number of ones; each bit counts independently";
     std::size_t bits = 100;
@@ -27,8 +27,8 @@ struct OneMax {
 
 /// Deceptive traps (D. Goldberg, "Simple genetic algorithms and the minimal, deceptive problem", 1987; K. Deb and D.
 /// Goldberg, "Analyzing deception in trap functions", 1993). The objective is a sum over the blocks: a block of ones
-/// adds `size`, any other block adds the number of its zeros minus 1. So improvements by single bits lead away from the
-/// optimum.
+/// adds `size`, any other block adds the number of its zeros minus 1. So while a block is not all ones, each bit that
+/// becomes 0 improves the objective, although the optimum is all ones.
 struct Trap {
     static constexpr std::string_view name = "trap",
                                       about = "deceptive traps: in each block, single bit changes lead away from the "
@@ -44,11 +44,11 @@ struct Trap {
 };
 
 /// The objective is a sum of one contribution for each bit of the string. A contribution depends on the bit and the k
-/// bits after it; the bits form a ring, so the first bit follows the last.
+/// bits after it. The bits form a ring, so after the last bit comes the first.
 class Landscape {
 public:
-    /// `contributions` holds 2^(k + 1) numbers for each bit i. The index among these numbers is the natural binary
-    /// number in the bits i ... i + k. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
+    /// `contributions` holds 2^(k + 1) numbers for each bit i. The bits i ... i + k, read as a binary number, are the
+    /// index of the contribution among these numbers. REQUIRES: bits > k; contributions.size() == bits * 2^(k + 1).
     Landscape(std::size_t bits, std::size_t k, std::vector<double> contributions);
 
     BitString representation() const { return BitString(bits_); }
@@ -66,8 +66,8 @@ private:
     std::vector<double> contributions_;
 };
 
-/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) with adjacent neighbours. The contributions are uniform
-/// random numbers between 0 and 1 / `bits`.
+/// NK landscapes (S. Kauffman, "The Origins of Order", 1993) in which the contribution of a bit depends on the bit and
+/// the `k` bits after it. The contributions are uniform random numbers between 0 and 1 / `bits`.
 struct NkLandscape {
     static constexpr std::string_view name = "nk",
                                       about = "a landscape in which the value of each bit depends on `k` neighbours, "

@@ -48,7 +48,7 @@ double radians(double coordinate) {
     return 3.141592 * (degrees + 5 * (coordinate - degrees) / 3) / 180;
 }
 
-/// Returns the distance on TSPLIB's idealised earth; x is the latitude, y the longitude.
+/// Returns the distance on the sphere that TSPLIB takes for the earth; x is the latitude, y the longitude.
 double geographical(const City& a, const City& b) {
     constexpr double radius_km = 6378.388;
     const double along = std::cos(radians(a.y) - radians(b.y)), difference = std::cos(radians(a.x) - radians(b.x));

@@ -11,7 +11,8 @@
 
 namespace placedpar {
 
-/// The travelling salesman with a table of distances, which need not be equal in both directions.
+/// The travelling salesman problem, the shortest closed tour through all cities, with a table of distances. Distances
+/// need not be equal in both directions.
 class TableTour {
 public:
     /// `distances` has a row for each city, with the distances to all cities. REQUIRES: places * places distances.
@@ -27,10 +28,11 @@ private:
     std::vector<std::int32_t> distances_;
 };
 
-/// Reads a file of TSPLIB (G. Reinelt, "TSPLIB 95", 1995). TYPE is TSP or ATSP; EDGE_WEIGHT_TYPE is EUC_2D, CEIL_2D,
-/// GEO, ATT, or EXPLICIT with the format FULL_MATRIX, UPPER_ROW, LOWER_ROW, UPPER_DIAG_ROW or LOWER_DIAG_ROW. Distances
-/// are whole numbers, rounded as TSPLIB prescribes. City 1 of the file is place 0 of the permutation. Throws UserError,
-/// with file and line, for anything else, and for more than 5000 cities, whose table would take 100 MB.
+/// Reads a file of TSPLIB (G. Reinelt, "TSPLIB 95", 1995). TYPE must be TSP or ATSP. EDGE_WEIGHT_TYPE must be EUC_2D,
+/// CEIL_2D, GEO, ATT, or EXPLICIT with the format FULL_MATRIX, UPPER_ROW, LOWER_ROW, UPPER_DIAG_ROW or LOWER_DIAG_ROW.
+/// Distances are whole numbers, rounded as TSPLIB prescribes. City 1 of the file is place 0 of the permutation. Throws
+/// UserError, with file and line, for anything else. Throws UserError also for more than 5000 cities, because a table
+/// for 5000 cities takes 100 MB.
 TableTour read_tour_file(const std::filesystem::path&);
 
 } // namespace placedpar

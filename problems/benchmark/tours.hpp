@@ -16,10 +16,10 @@ struct City {
     double x = 0, y = 0;
 };
 
-/// The travelling salesman: the shortest closed tour through all cities.
+/// The travelling salesman problem: which closed tour through all cities is the shortest?
 class Tour {
 public:
-    /// `shortest`: the length of the shortest tour, if known.
+    /// `shortest`: the length of the shortest tour, if it is known.
     explicit Tour(std::vector<City> cities, std::optional<double> shortest = std::nullopt);
 
     Permutation representation() const { return Permutation(cities_.size()); }
@@ -43,7 +43,7 @@ struct CircleTour {
     Tour problem() const;
 };
 
-/// Cities on the crossings of a square lattice of spacing 1. The shortest tour is known; see shortest_on_lattice().
+/// Cities on the crossings of a square lattice of spacing 1. The length of the shortest tour is known.
 struct LatticeTour {
     static constexpr std::string_view name = "tour-lattice",
                                       about = "the travelling salesman with cities on a lattice of spacing 1";

@@ -13,19 +13,19 @@
 
 namespace placedpar {
 
-/// A sample's term of the fitness, for a prediction error e and the bias B: B - e, as printed in thesis eq. 1.7; B -
-/// |e|; or B - e^2, as in eq. 4.1 and 5.1.
+/// How the fitness counts the prediction error e at a sample, for a constant B (the bias): B - e, as printed in thesis
+/// eq. 1.7; B - |e|; or B - e^2, as in eq. 4.1 and 5.1. The fitness is the sum over all samples.
 enum class FitnessForm : unsigned char { as_printed, absolute, square };
 
-/// Identification of the coefficients of the plant of thesis equation 1.3,
+/// The search for the coefficients of the plant of thesis eq. 1.3, which has the input u and the output y,
 ///
 ///     y(k) = a1 y(k-1) + a2 y(k-2) + b0 (u(k) + b1 u(k-1)),
 ///
-/// with the string a1 | a2 | b0 | b1, each coefficient in 10 bits, between -5 and 5 (eq. 1.4 to 1.6). The input acts
-/// one sample later than in eq. 1.3, as in chapter 5. The objective is the sum of the fitness terms over `window`, or 0
-/// if the sum is negative.
+/// A string is a1 | a2 | b0 | b1, each coefficient in 10 bits, between -5 and 5 (eq. 1.4 to 1.6). The input acts one
+/// sample later than in eq. 1.3, as in chapter 5. The objective is the sum of the fitness terms over `window`, or 0 if
+/// the sum is negative.
 struct CoefficientsProblem {
-    std::vector<Sample> window; ///< samples as plant_record() returns them
+    std::vector<Sample> window; ///< measured outputs and inputs, as plant_record() returns them
     FitnessForm form;
     double bias;
 
@@ -34,7 +34,8 @@ struct CoefficientsProblem {
     double objective(std::span<const double> coefficients) const;
 };
 
-/// The CoefficientsProblem that netlists name: "coefficients", "coefficients(form = 0, noise = 0.3)".
+/// Makes the CoefficientsProblem that a netlist names with its numbers: "coefficients", "coefficients(form = 0, noise =
+/// 0.3)".
 struct Coefficients {
     static constexpr std::string_view name = "coefficients",
                                       about = "the coefficients of a second-order plant (thesis 1.3, 1.4)";

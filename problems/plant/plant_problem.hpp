@@ -15,18 +15,19 @@
 
 namespace placedpar {
 
-/// A plant in pole-zero form (thesis eq. 5.9): poles alpha +- j beta, zeros gamma +- j delta, gain b0, delay d.
+/// A linear plant of second order, given by its poles alpha +- j beta, zeros gamma +- j delta, gain b0 and delay d in
+/// samples (thesis eq. 5.9). T is double for one plant, Lanes (vectors of doubles) for several plants.
 ///
-/// The plant of eq. 5.8 has the real zeros 0 and -.5. So that the search can find them, a negative delta stands for the
-/// real zeros gamma +- |delta|. The zeros of eq. 5.8 are gamma = delta = -.25.
+/// The plant of eq. 5.8 has the real zeros 0 and -.5. So that a search can find real zeros, a negative delta stands for
+/// the real zeros gamma +- |delta|. The zeros of eq. 5.8 have gamma = delta = -.25.
 template <typename T>
 struct PoleZeroPlantOf {
     T d, alpha, beta, gamma, delta, b0;
 
     using Weights = std::array<T, plant_channels - 1>;
 
-    /// Returns the weights of y(k-1), y(k-2), u(k-1), ..., u(k-6) in y-hat(k). REQUIRES: 1 <= d < 5; if T is Lanes, d
-    /// is whole.
+    /// Returns the weights of the outputs y(k-1), y(k-2) and the inputs u(k-1), ..., u(k-6) in the predicted output
+    /// y-hat(k). REQUIRES: 1 <= d < 5; if T is Lanes, d is whole.
     Weights weights() const {
         using std::abs;
         Weights weights;
@@ -44,7 +45,7 @@ private:
         std::copy(numerator.begin(), numerator.end(), weights.begin() + 1 + static_cast<int>(d));
     }
     /// Sets the weights of several plants, which may have different delays. Adds the numerator at each possible delay,
-    /// multiplied by 1 in the lanes of the plants with this delay and by 0 in the others.
+    /// multiplied by 1 in the lanes of the plants with this delay and by 0 in the other lanes.
     void behind_the_delay(const Numerator& numerator, Weights& weights) const {
         for (std::size_t delay = 1; delay + 3 < weights.size(); ++delay) {
             T here = max(T(0.0), 1 - abs(d - static_cast<double>(delay)));
@@ -55,13 +56,13 @@ private:
 };
 using PoleZeroPlant = PoleZeroPlantOf<double>;
 
-/// Returns d, alpha, beta, gamma, delta and b0 of a plant, whose zeros are 0 and -b1. REQUIRES: the plant has complex
+/// Returns d, alpha, beta, gamma, delta and b0 of a plant. Its zeros are 0 and -b1. REQUIRES: the plant has complex
 /// poles.
 std::vector<double> parameters_of(const Plant& plant);
 
-/// Identification of a PoleZeroPlant as a search problem. The string d | alpha | beta | gamma | delta | b0 has 37 bits
-/// (Table 5.1). The error is y(k) - y-hat(k), where y-hat(k) is predicted from the two outputs measured before y(k).
-/// Samples come from plant_record().
+/// The search for the parameters of a PoleZeroPlant from measured inputs and outputs. The string d | alpha | beta |
+/// gamma | delta | b0 has 37 bits (Table 5.1). The error is y(k) - y-hat(k), where y-hat(k) is predicted from the two
+/// outputs measured before y(k). Samples come from plant_record().
 class PlantProblem {
 public:
     PlantProblem();
@@ -84,7 +85,7 @@ public:
         return error_of<double>(weights, sample);
     }
 
-    /// Returns the weights, not d, alpha, ..., because error_of() for Lanes cannot use the delay as an index.
+    /// Returns the weights instead of d, alpha, ..., because error_of() for Lanes cannot use the delay as an index.
     template <BinaryString G>
     std::array<double, plant_channels - 1> parameters_of(const G& genome) const {
         return plant(genome).weights();
@@ -101,7 +102,8 @@ public:
     std::vector<std::string> parameter_names() const { return {"d", "alpha", "beta", "gamma", "delta", "b0"}; }
     std::vector<std::string> parameter_units() const { return {"samples", "", "", "", "", ""}; }
 
-    /// Returns y-hat(k) from y(k-1), y(k-2), which may be simulated, and the inputs in sample k.
+    /// Returns the predicted output y-hat(k). `last` and `before` are y(k-1) and y(k-2), measured or simulated; the
+    /// inputs are in `sample`.
     template <typename T, typename Output>
     static T predicted(std::span<const T> weights, const Output& last, const Output& before,
                        std::span<const double> sample) {
@@ -120,8 +122,9 @@ private:
     ParameterCoding coding_;
 };
 
-/// A PlantProblem in which y-hat(k) is simulated. At the first sample of a window, y-hat is computed from two measured
-/// outputs; at later samples, it is computed from the y-hat of the samples before.
+/// A PlantProblem in which the output y-hat(k) is simulated. At the first sample of a window (the samples of an
+/// evaluation), y-hat is computed from two measured outputs. At later samples, y-hat is computed from the y-hat of the
+/// two samples before.
 class SimulatedPlantProblem : public PlantProblem {
 public:
     template <typename T>

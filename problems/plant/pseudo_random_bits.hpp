@@ -4,8 +4,9 @@
 
 namespace placedpar {
 
-/// A pseudo random binary sequence of period 127, from a shift register of seven bits (x^7 + x^6 + 1). In each period,
-/// every pattern of seven bits occurs once, except seven zeros.
+/// A pseudo-random sequence of bits, from which the input of a plant is made. It has the period 127, and comes from a
+/// shift register of seven bits (x^7 + x^6 + 1). In each period, every pattern of seven bits occurs once, except seven
+/// zeros.
 class PseudoRandomBits {
 public:
     static constexpr std::size_t period = 127;

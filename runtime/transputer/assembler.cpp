@@ -313,19 +313,21 @@ private:
 } // namespace
 
 std::vector<std::uint8_t> encoded(unsigned function, std::int32_t operand, std::size_t least) {
-    // A prefix shifts the operand register by 4 bits. The first prefix of a negative operand is nfix, which also
-    // complements the register.
+    // A prefix shifts the operand register by 4 bits. The last prefix of a negative operand is nfix, which first
+    // complements the register. INMOS's assemblers use the same form.
+    const bool is_negative = operand < 0;
     const std::int64_t value = operand;
+    const std::int64_t prefixed = is_negative ? ~value : value;
     std::size_t length = std::max(least, std::size_t{operand < 0 ? 2U : 1U});
     while (length < 8 && (value >= std::int64_t{1} << 4 * length || value < -(std::int64_t{1} << 4 * length)))
         ++length;
     std::vector<std::uint8_t> bytes;
-    for (std::size_t place = length; place-- > 0;) {
-        const bool complement = operand < 0 && place + 1 == length;
-        const auto four = static_cast<unsigned>((complement ? ~value : value) >> 4 * place) & 15;
-        const unsigned of_byte = place == 0 ? function : complement ? negative_prefix : prefix;
-        bytes.push_back(static_cast<std::uint8_t>(of_byte << 4 | four));
-    }
+    const auto add = [&bytes](unsigned code, std::int64_t digit) {
+        bytes.push_back(static_cast<std::uint8_t>(code << 4 | (static_cast<unsigned>(digit) & 15)));
+    };
+    for (std::size_t place = length - 1; place > 0; --place)
+        add(place == 1 && is_negative ? negative_prefix : prefix, prefixed >> 4 * place);
+    add(function, value);
     return bytes;
 }
 

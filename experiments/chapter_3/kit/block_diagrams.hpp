@@ -4,14 +4,13 @@
 
 namespace placedpar {
 
-/// These functions draw block diagrams as SVG, following the text of the thesis. Every call of a function returns the
-/// same bytes.
+/// These functions draw block diagrams of the thesis as SVG. Every call of a function returns the same bytes.
 
 /// Draws Figure 3.4: how the input of the genetic algorithm is computed from the pressure, the angle, and the spool or
 /// the voltage.
 std::string draw_figure_3_4();
-/// Draws Figure 3.7: the excavator, the identification from one motion, and the simulator that checks its result with
-/// another motion.
+/// Draws Figure 3.7: the excavator, the identification (the search for its compliances) from one motion, and the
+/// simulator that checks the result with another motion.
 std::string draw_figure_3_7();
 
 } // namespace placedpar

@@ -13,26 +13,29 @@
 
 namespace placedpar {
 
-/// Selects the simulated plant. `simple` has the structure of the model (single_boom_scenario); `measured` also has
-/// hoses, stiction, pump ripple, dead time and converters (measured_excavator.hpp).
+/// Selects the simulated excavator, whose compliance is searched for. `simple` has the same structure as the search's
+/// model (single_boom_scenario). `measured` also has hoses, stiction, pump ripple, dead time and converters
+/// (measured_excavator.hpp).
 enum class BoomPlant : unsigned char { simple, measured };
 
-/// A motion of the boom as recorded by the sensors, and the constants of the machine.
+/// A motion of the boom as recorded by the sensors, and the machine's constants.
 struct BoomData {
     hydraulics::Record record; ///< both pressures, angle, spool and servo-valve voltage of the boom
     hydraulics::FlowConstants flow;
-    hydraulics::LinkMechanics boom; ///< the true values
+    hydraulics::LinkMechanics boom; ///< the true values of the boom's constants
 };
 
 /// A step of the boom's velocity to 4 deg/s. The constants of the machine come from `excavator.csv`, except for the
-/// values set here. A spool offset does not change the motion: the controller computes the voltage by equation A.1,
-/// which has the same error as the readings, so the spool still moves to the intended position.
+/// values set here. Equation A.1 relates the valve's voltage to its spool position. A spool offset does not change the
+/// motion, because the controller's equation A.1 has the same error as the readings. So the spool still moves to the
+/// intended position.
 struct BoomMotion {
     BoomPlant plant = BoomPlant::simple;
     hydraulics::MeasurementNoise noise = hydraulics::no_noise;
     double spool_offset_in = 0; ///< error of the spool's readings and of equation A.1; positive: too high
     std::optional<double> inlet_compliance_in3_per_psi = {}, spool_desired_in = {}, duration_s = {};
-    bool slow = false; ///< whether to run scenario B, which has a heavier load and a ramp; only for the simple plant
+    bool slow = false; ///< whether to run scenario B, which has a heavier load and a ramp instead of the step; only for
+                       ///< BoomPlant::simple
 };
 
 /// Simulates the motion once, then measures it once for each seed. The noise comes from the random stream of the seed
@@ -43,7 +46,7 @@ BoomData measure(const BoomMotion& motion, std::uint64_t seed);
 /// The source from which the model takes the areas of the valve's orifices, and its assumptions about this source.
 struct BoomModel {
     hydraulics::AreasFrom from = hydraulics::AreasFrom::spool;
-    double spool_lag_per_s = 0; ///< a_0 of equation A.2
+    double spool_lag_per_s = 0; ///< a_0 of equation A.2, the rate at which the spool follows the voltage
     double spool_offset_in = 0; ///< subtracted from the spool position that the readings or equation A.1 give
 };
 /// Returns a model with the machine's true lag and no offset.

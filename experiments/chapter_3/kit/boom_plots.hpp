@@ -16,7 +16,7 @@ Series over_time(std::string name, std::span<const double> time_s, std::span<con
 /// Draws Figure 3.3: pressures, voltage, spool and angle as recorded.
 Plot plot_of_record(std::string title, const BoomData& data, double until_s);
 
-/// The data of Figure 3.5 or 3.6: a record, and its identification.
+/// The data of Figure 3.5 or 3.6: a record of a motion, and the search for the compliance in this record.
 struct WatchedIdentification {
     std::string title;
     const BoomData& data;

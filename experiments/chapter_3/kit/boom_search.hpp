@@ -9,17 +9,17 @@
 
 namespace placedpar {
 
-/// The result of an identification from measured data with a model.
+/// The result of an identification, that is, of the search for the boom's compliance in a record of a motion.
 struct BoomIdentified {
     std::vector<hydraulics::CircuitSample> samples; ///< only the usable samples
     identification::Identified found;
     double compliance_in3_per_psi;       ///< the search's answer
-    std::optional<double> least_squares; ///< compliance fitted to all usable samples; may be negative, like the first
-                                         ///< value in the thesis
-    bool at_lower_bound;                 ///< whether the answer is flagged as being at its lower bound
+    std::optional<double> least_squares; ///< compliance by a least-squares fit to all usable samples; may be negative,
+                                         ///< like the first value in the thesis
+    bool at_lower_bound;                 ///< whether the answer is at the lower bound of the search
 };
 
-/// Returns the samples that the rule calls usable.
+/// Returns the samples that the rule UsableSamples selects: samples from which a compliance can be found.
 std::vector<hydraulics::CircuitSample> usable_of(const BoomData&, const BoomModel&, const hydraulics::UsableSamples&);
 
 /// Identifies the boom's compliance from the record. Throws what identify() throws.
@@ -38,7 +38,7 @@ struct Generation {
     double mean_error_in3_per_s; ///< mean absolute error over all individuals and the window
 };
 
-/// Repeats the search of identify() and returns its generations.
+/// Repeats the search of identify_boom() and returns its generations, for a plot.
 std::vector<Generation> watch_search(const BoomData&, std::span<const hydraulics::CircuitSample> samples,
                                      const identification::IdentificationWay&, std::uint64_t seed);
 

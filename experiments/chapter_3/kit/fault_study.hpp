@@ -24,10 +24,11 @@ PlantFault doubled_compliance();
 /// Returns a leak with the coefficient k_l across the boom's piston. The leak begins when the valve of scenario A
 /// opens. `name` should state the leak's flow as a share of the steady flow of 50 in^3/s.
 PlantFault leak_of(const char* name, double leak_in3_per_s_psi);
-/// Returns a drift of the servo-valve: its spool moves as if the voltage were higher by `bias_v`.
+/// Returns a drift of the servo-valve. The spool moves as if the voltage were higher by `bias_v`.
 PlantFault drift_of(double bias_v);
 
-/// The source of records: the scenario, the noise level, and whether there is a servo-valve.
+/// What determines the records of a simulated excavator: the names of the scenario (machine and motion) and of the
+/// noise level, and whether there is a servo-valve.
 struct RecordSource {
     const char *scenario, *noise;
     bool has_servo;
@@ -36,9 +37,8 @@ struct RecordSource {
 
 hydraulics::Record record_of(const PlantFault& fault, const RecordSource& source, std::uint64_t seed);
 
-/// Runs one search with Gray code and one elite individual. The search uses the samples in which the pressure rises,
-/// except the first two of these samples. The search does not know the fault: it assumes the parameters of
-/// `excavator.csv`.
+/// Runs one search for the compliance, with Gray code and one elite individual. The search uses the samples in which
+/// the pressure rises, except the first two. It does not know the fault, but assumes the parameters of `excavator.csv`.
 identification::SearchRun search_faulty(const hydraulics::Record& record, hydraulics::AreasFrom from,
                                         std::uint64_t seed);
 /// Returns the last answer of search_faulty(), in in^3/psi.

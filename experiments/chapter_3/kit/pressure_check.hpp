@@ -6,7 +6,8 @@
 
 namespace placedpar {
 
-/// The cross-check of Figure 3.7: the pressure P_i that is simulated with a given compliance for a recorded motion.
+/// The cross-check of Figure 3.7: the inlet pressure P_i is simulated with a given compliance for a recorded motion,
+/// and compared with the measured pressure.
 struct PressureCheck {
     std::vector<double> time_s, measured_psi, simulated_psi;
     double from_s, until_s; ///< limits of the transient, which begins 0.02 s before the first usable sample and lasts
@@ -16,9 +17,9 @@ struct PressureCheck {
     double peak_psi;        ///< peak of the simulated pressure in the transient
 };
 
-/// Simulates the pressure from the first sample that has slopes. The model says where the spool position comes from,
-/// and which offset is subtracted from the position. The velocity is computed from the measured angle. Throws UserError
-/// if the record has no usable sample. Also throws what replay_pressure() throws.
+/// Simulates the pressure from the first sample at which the slopes of pressure and angle are known. The model says
+/// where the spool position comes from, and which offset is subtracted from the position. The velocity is computed from
+/// the measured angle. Throws UserError if the record has no usable sample. Also throws what replay_pressure() throws.
 PressureCheck check_pressure(const BoomData&, const BoomModel&, double compliance_in3_per_psi);
 
 } // namespace placedpar

@@ -10,18 +10,18 @@
 
 namespace placedpar {
 
-/// A simulated machine that an operator moves. The parameters of a machine differ from `excavator.csv` at random: inlet
-/// compliances and load by up to 10 %, friction, damping and the drain side's compliance by up to 20 %. Movements
-/// differ in how far, how quickly and for how long the valve is opened, and by up to 5 % in the load. The thesis states
-/// no such variation; these percentages were chosen here.
+/// A simulated excavator that an operator moves, for tests of the diagnosis. The parameters of a machine differ from
+/// `excavator.csv` at random: inlet compliances and load by up to 10 %, friction, damping and the drain side's
+/// compliance by up to 20 %. Movements differ in how far, how quickly and for how long the valve is opened, and by up
+/// to 5 % in the load. The thesis states no such variation; these percentages were chosen here.
 class SimulatedExcavator {
 public:
     /// `from` says which readings of the valves the samples contain: spool, voltage or areas. The voltage is available
-    /// only if the source has a servo-valve. The scenario for two links has only areas, and the others have none.
-    /// Throws std::invalid_argument if the readings are not available.
+    /// only if the source has a servo-valve. The scenario for two links has only areas; the other scenarios have no
+    /// areas. Throws std::invalid_argument if the readings are not available.
     SimulatedExcavator(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);
 
-    /// Returns the links that move. The configuration is always a.
+    /// Returns the links that move.
     hydraulics::LinkSet links() const;
     double period_s() const { return source_.period_s; } ///< time between readings
 

@@ -7,7 +7,8 @@
 
 namespace placedpar {
 
-/// A simulated excavator and its on-line diagnosis. The diagnosis assumes the parameters of `excavator.csv`.
+/// A simulated excavator and its on-line diagnosis, which raises an alarm when it finds a fault. The diagnosis assumes
+/// the parameters of `excavator.csv`.
 class TestedMachine {
 public:
     TestedMachine(const RecordSource& source, hydraulics::AreasFrom from, std::uint64_t seed);

@@ -20,7 +20,7 @@ struct TwoLinkMotion {
 };
 TwoLinkMotion simulate_two_links();
 
-/// Measures the motion with sensor noise that is drawn from the seed, and prepares the search.
+/// Measures the motion with sensor noise that is drawn from the seed, and prepares the search for the two compliances.
 identification::ComplianceSearch measure_two_links(const TwoLinkMotion& motion,
                                                    const hydraulics::MeasurementNoise& noise,
                                                    const identification::IdentificationWay& way, std::uint64_t seed);
@@ -40,10 +40,10 @@ identification::IdentificationWay elite_way();
 identification::IdentificationWay gray_way();
 
 /// The number of simulated records. Each record is searched once, and a given share of the searches must succeed. With
-/// 200 records, a share p has the standard deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
+/// 200 records, a measured share p has the standard deviation sqrt(p (1 - p) / 200): 3.5 percentage points for p = .5.
 inline constexpr std::size_t search_records = 200;
 
-/// A record of bucket and boom, prepared for a search, and the search.
+/// A record of bucket and boom, prepared for a search, and the generations of the search.
 struct TwoLinkSearch {
     identification::ComplianceSearch prepared;
     identification::SearchRun run;
@@ -62,7 +62,8 @@ std::vector<identification::SearchRun> search_many(const TwoLinkMotion& motion,
 double both_within_ten_percent(std::span<const identification::SearchRun> runs, std::size_t generation,
                                std::size_t trials);
 
-/// The pressures at the junctions and all flows at one instant: P_11, P_12 in psi, Q_11, Q_12, Q_BUi, Q_BOi in in^3/s.
+/// The pressures at the junctions and all flows at one instant: P_11 and P_12 in psi, Q_11, Q_12, Q_BUi (bucket) and
+/// Q_BOi (boom) in in^3/s.
 struct InternalStates {
     double p11, p12, q11, q12, q_bucket, q_boom;
 

@@ -80,7 +80,7 @@ Outcome watch(TestedMachine machine, const TestedFault& fault, std::size_t movem
 
 namespace {
 
-/// Returns a copy of the judge that the machine's diagnosis has for the boom.
+/// Returns a copy of the judge (the part of the machine's diagnosis that decides about faults) for the boom.
 LinkJudge judge_of(const TestedMachine& machine) {
     return LinkJudge(machine.diagnosis().state().watches.begin()->second.judges.back());
 }

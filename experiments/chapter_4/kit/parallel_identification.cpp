@@ -30,7 +30,7 @@ namespace {
 constexpr double near_truth = 0.1; ///< largest relative error of an answer that has converged
 constexpr double plotted_s = 1.2;
 
-/// A plant, the noise of its sensors, and whether the model has the plant's structure.
+/// A simulated boom, the noise of its sensors, and whether the search's model has the same structure as the boom.
 struct RecordedBoom {
     const char* name;
     BoomPlant plant;
@@ -249,7 +249,7 @@ curves_of_searches(const BothSearches& both,
     return series;
 }
 
-/// Returns the root mean square of equation 3.8 over the window of a generation, for the best individual.
+/// Returns the root mean square of the best individual's error (equation 3.8) over the window of a generation.
 double window_error(const MachineSearch& run, std::size_t island, std::size_t generation) {
     const WindowSettings window = rising_way().search.window;
     const std::size_t samples = std::min(run.search.first + generation / run.search.trials, window.length);

@@ -8,7 +8,7 @@
 
 namespace placedpar {
 
-/// One of the two experiments of section 4.3.
+/// One of the two experiments of section 4.3, which differ in the readings from which the valve's areas are computed.
 struct ParallelExperiment {
     const char *plot, *title; ///< file name and heading of the plot
     hydraulics::AreasFrom from;
@@ -25,7 +25,7 @@ struct FoundInRecord {
     double compliance_in3_per_psi;
     double generations; ///< first generation from which every answer is within 10 % of the true compliance; greater
                         ///< than the number of generations if there is no such generation
-    double seconds;     ///< virtual time of the last answer
+    double seconds;     ///< simulated time of the last answer
 };
 
 /// The results of the traditional algorithm and of a parallel algorithm. Each vector has one result for each record.

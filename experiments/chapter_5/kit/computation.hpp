@@ -6,7 +6,7 @@
 
 namespace placedpar {
 
-/// Numbers of floating-point operations. A change of sign does not count.
+/// Numbers of floating-point operations, by which methods are compared. A change of sign does not count.
 struct Operations {
     double additions, multiplications, divisions;
 

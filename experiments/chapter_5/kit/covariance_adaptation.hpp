@@ -10,9 +10,10 @@
 
 namespace placedpar {
 
-/// CMA-ES with rank-one update, rank-mu update and the usual constants (N. Hansen, "The CMA evolution strategy: a
-/// tutorial", 2016). The search starts at the middle of the unit cube. The value of a point outside the cube is the
-/// objective at the nearest point of the cube, plus the squared distance to this point.
+/// The evolution strategy CMA-ES, as a baseline for the genetic algorithms. It has the rank-one update, rank-mu update
+/// and the usual constants (N. Hansen, "The CMA evolution strategy: a tutorial", 2016). The search starts at the middle
+/// of the unit cube. The value of a point outside the cube is the objective at the nearest point of the cube, plus the
+/// squared distance to this point.
 class CovarianceAdaptation {
 public:
     /// `least_step` is the lower limit of the points' standard deviation along their longest axis. With a positive
@@ -20,7 +21,7 @@ public:
     /// least four points.
     CovarianceAdaptation(std::size_t dimensions, std::size_t population, double least_step, RandomStream random);
 
-    /// Makes a generation, with one evaluation per point.
+    /// Makes a generation, with one evaluation for each point.
     void next_generation(const Objective01& minimised);
     /// Returns the mean of the distribution from which the next points are drawn, moved into the cube.
     Eigen::VectorXd mean() const;

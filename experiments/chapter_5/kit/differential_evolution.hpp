@@ -13,8 +13,8 @@ namespace placedpar {
 /// A function to be minimised; its argument is a point of the unit cube.
 using Objective01 = std::function<double(const Eigen::VectorXd&)>;
 
-/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube. Points outside the cube are
-/// reflected.
+/// Differential evolution, rand/1/bin (R. Storn and K. Price, 1997), in the unit cube, as a baseline for the genetic
+/// algorithms. Points outside the cube are reflected.
 class DifferentialEvolution {
 public:
     static constexpr double weight = 0.8, crossover = 0.9; ///< F and CR of the paper
@@ -24,7 +24,7 @@ public:
 
     /// Evaluates all points. Call this at the beginning, and whenever the objective has changed.
     void evaluate(const Objective01& minimised);
-    /// Makes a generation, with one evaluation per point. REQUIRES: evaluate() was called.
+    /// Makes a generation, with one evaluation for each point. REQUIRES: evaluate() was called.
     void next_generation(const Objective01& minimised);
     /// REQUIRES: evaluate() was called.
     const Eigen::VectorXd& best() const;

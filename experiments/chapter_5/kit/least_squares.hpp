@@ -22,7 +22,7 @@ struct LinearPlant {
     Coefficients weights = Coefficients::Zero(); ///< a1, a2, b0, b1, b2
     double squared_error = 0;                    ///< sum of the plant's squared prediction errors over the samples
 
-    /// Returns those values of a sample of plant_record() that are multiplied by the weights.
+    /// Returns the values of a sample of plant_record() that the weights multiply.
     static Coefficients inputs(const Sample& sample, std::size_t delay);
     /// Returns the pole with the greatest real part; beta is 0 for two real poles.
     Pole pole() const;
@@ -30,8 +30,7 @@ struct LinearPlant {
 
 /// Returns the plant with the least sum of squared prediction errors over the window. For each of the four delays,
 /// Eigen's complete orthogonal decomposition solves the least-squares problem; the delay with the smallest sum is
-/// chosen. By this criterion, no search over poles and zeros can find a better plant. REQUIRES: the window is not
-/// empty.
+/// chosen. No search over poles and zeros can find a plant with a smaller sum. REQUIRES: the window is not empty.
 LinearPlant least_squares(std::span<const Sample> window);
 
 /// The state of recursive least squares: the estimated weights and their covariance.
@@ -47,9 +46,9 @@ struct RecursiveEstimate {
             covariance[i * unknowns + i] = 1e6; // large, because nothing is known about the weights
     }
 
-    /// Updates the estimate with an output and the inputs that are multiplied by the weights. Returns the prediction
-    /// error of the output. Only half of the symmetric covariance is computed, and then copied: if both halves were
-    /// computed, rounding would make the estimate diverge with a forgetting factor of .9.
+    /// Updates the estimate with an output and the inputs that the weights multiply. Returns the prediction error of
+    /// the output. Only half of the symmetric covariance is computed, and then copied. If both halves were computed,
+    /// rounding would make the estimate diverge with a forgetting factor of .9.
     T take(std::span<const T> inputs, T output, T forgetting) {
         const std::size_t size = weights.size();
         T scale = forgetting, error = output;
@@ -71,9 +70,9 @@ struct RecursiveEstimate {
     }
 };
 
-/// Recursive least squares over all samples. The weight of a sample is `forgetting` to the power of the sample's age.
-/// For coloured noise, NoiseTerms::two also estimates c1 and c2 in the terms c1 e(k-1) + c2 e(k-2), where e is the
-/// residual (extended least squares).
+/// Recursive least squares over all samples, which estimates the coefficients of the plant anew after each sample. The
+/// weight of a sample is `forgetting` to the power of the sample's age. For coloured noise, NoiseTerms::two also
+/// estimates c1 and c2 in the terms c1 e(k-1) + c2 e(k-2), where e is the residual (extended least squares).
 class RecursiveLeastSquares {
 public:
     enum class NoiseTerms : bool { none, two };
@@ -93,7 +92,8 @@ private:
     std::array<double, 2> unexplained_{};
 };
 
-/// Runs one recursion for each delay. plant() comes from the recursion with the least squared error.
+/// Runs recursive least squares for each delay, because the delay is unknown. plant() comes from the delay with the
+/// least squared error.
 class RecursiveIdentification {
 public:
     explicit RecursiveIdentification(

@@ -12,8 +12,8 @@
 
 namespace placedpar {
 
-/// An objective function that does not change, and the objective that ends the search: the optimum, or a value that is
-/// reached only in the basin of the optimum.
+/// An objective function that does not change during the search, and the value at which the search ends. This value is
+/// the optimum, or a value that is reached only in the basin of the optimum.
 struct StaticTask {
     std::string problem; ///< name in a netlist
     double target;       ///< the search ends at this objective, or a better one
@@ -21,14 +21,14 @@ struct StaticTask {
 const std::vector<StaticTask>& static_tasks();
 
 /// Returns the number of generations, at least 1, until an island reaches the target, or `limit` if no island reaches
-/// it. The operators are those of section 5.4 of the thesis, except that fitness is ranked, since it may be negative.
-/// There are `islands` islands of `population` individuals each. Every three generations, each island sends its best
-/// individual to a neighbour in the hypercube, each time to the next of its neighbours (section 5.2.1).
+/// it. The operators are the operators of section 5.4 of the thesis, except that selection is by rank, because the
+/// fitness may be negative. There are `islands` islands of `population` individuals each. Every three generations, each
+/// island sends its best individual to the next of its neighbours in the hypercube (section 5.2.1).
 std::size_t generations_to_target(const StaticTask& task, std::size_t islands, std::size_t population,
                                   std::size_t limit, std::uint64_t seed);
 
-/// The number of generations or evaluations that a task takes, for several sizes of the search and all seeds of a
-/// replay.
+/// The number of generations or evaluations that a task takes, for several sizes of the search (islands or individuals)
+/// and all seeds of an experiment.
 struct TaskStudy {
     StaticTask task;
     std::vector<std::size_t> sizes;

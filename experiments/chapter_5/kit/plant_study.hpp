@@ -19,7 +19,8 @@ namespace placedpar {
 /// intervals of some claims include the bound.
 inline constexpr std::size_t plant_seeds = 60, plant_seeds_of_claims = 240;
 
-/// The course of one run: the best individuals of an island, or the answers of a choice.
+/// How one run follows the pole of the changing plant: by the best individuals of an island, or by the answers of a
+/// rule that chooses an island.
 struct PlantTrack {
     TrackingFigures figures;
     std::vector<Pole> poles; ///< one for every fifth generation
@@ -28,7 +29,7 @@ struct PlantTrack {
 struct PlantStudy {
     PlantIslands islands;
     std::vector<std::vector<PlantTrack>> runs; ///< [seed][track]; the tracks are the islands, then the choices
-    std::vector<double> diversity, identical;  ///< as in PlantSearchRun, one per seed
+    std::vector<double> diversity, identical;  ///< as in PlantSearchRun, one for each seed
 
     std::vector<double> of(std::size_t track, Tracking) const;
     double median(std::size_t track, Tracking) const;
@@ -37,7 +38,7 @@ struct PlantStudy {
     std::vector<double> errors_after() const { return of(0, Tracking::error_after); }
     /// Returns the percentage of runs with `error_after` of at most `found_pole`.
     double found_percent(std::size_t track) const;
-    /// Returns the index of the track of a choice.
+    /// Returns the index of the track of a rule.
     std::size_t answer(const std::string& choice) const;
 };
 
@@ -50,7 +51,7 @@ PlantStudy study_pole(const ReplayContext& context, std::string name, const Plan
                       const std::function<std::vector<Pole>(std::uint64_t seed)>& follow);
 
 /// These functions return, for each seed, the difference or the quotient of two values from the same record. For a
-/// quotient, .001 is added to both values, since values may be 0.
+/// quotient, .001 is added to both values, because values may be 0.
 std::vector<double> less(const std::vector<double>& one, const std::vector<double>& other);
 std::vector<double> ratio(const std::vector<double>& one, const std::vector<double>& other);
 
@@ -59,9 +60,9 @@ struct TrackRow {
     const PlantStudy* study;
     std::size_t track = 0;
 };
-/// Returns a row for the answers of a choice; its name is the name of the choice.
+/// Returns a row for the answers of a rule that chooses an island. The row has the name of the rule.
 TrackRow answer_row(const PlantStudy& study, const std::string& choice);
-/// Returns a row for the first track of each study; its name is the name of the study's islands.
+/// Returns a row for the first track of each study. The row has the name of the study's islands.
 std::vector<TrackRow> study_rows(const std::vector<PlantStudy>& studies);
 /// Returns a table of the medians of each row's figures over the seeds. The table is not judged.
 Comparison tracks_comparison(std::string name, const std::vector<TrackRow>& rows);
@@ -90,8 +91,8 @@ PlantIslands distributed_pga(std::string schedule, double noise);
 /// Returns the configuration with y-hat simulated inside the window, five generations for each sample, and B = 100.
 /// These values work best with the simulated y-hat.
 PlantIslands simulated_in_window(PlantIslands islands);
-/// These functions return a search with 100 individuals and a window of 30 samples (experiment #5), and a search with a
-/// window of 20 samples that computes as much as the distributed islands together.
+/// These functions return single searches. single_ga() has 100 individuals and a window of 30 samples (experiment #5).
+/// equal_cost_ga() has a window of 20 samples, and computes as much as the distributed islands together.
 PlantIslands single_ga(double noise);
 PlantIslands equal_cost_ga(double noise);
 

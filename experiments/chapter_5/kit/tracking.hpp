@@ -8,12 +8,12 @@
 
 namespace placedpar {
 
-/// These measures state how well a search followed the pole. Delays are in generations. If an event never happens, its
-/// delay is the greatest possible delay.
+/// These measures state how well a search followed the pole alpha + j beta of a plant that changes from generation 200
+/// to 400. Delays are in generations. If an event never happens, its delay is the greatest possible delay.
 enum class Tracking : unsigned char {
     delay_20, ///< delay from generation 200 until the running median of alpha over 11 generations has covered 20 % of
-              ///< the change; the true alpha has a delay of 40
-    delay_63, ///< as `delay_20`, but for 63 % of the change; the true alpha has a delay of 126
+              ///< the change; the true alpha has a delay of 40 generations
+    delay_63, ///< as `delay_20`, but for 63 % of the change; the true alpha has a delay of 126 generations
     lag,      ///< delay by which the true alpha must be shifted to be nearest to the found alpha
     error_before,     ///< rms distance between found and true pole in generations 100 to 199
     error_during,     ///< rms distance in generations 200 to 399

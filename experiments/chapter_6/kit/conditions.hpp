@@ -13,8 +13,8 @@
 
 namespace placedpar {
 
-/// The expected results of a condition, measured with other seeds: the percentage of runs that converge, and the
-/// percentage of runs that follow the pole.
+/// The expected results of a condition (the settings of a search that are compared), measured with other seeds. These
+/// are the percentages of runs that converge, and that follow the plant's pole.
 struct Expected {
     std::optional<double> converged, followed;
 };
@@ -33,8 +33,8 @@ Tally tally_runs(const ReplayContext&, const std::string& name, const std::funct
 Tally tally_search(const ReplayContext&, const std::string& name, const PlantSearch&);
 
 /// Adds a row with the shares of runs that converged and that followed the pole, and the median generation of
-/// convergence, each with its 95 % interval. A share with an expected value is judged with the tolerance
-/// share_tolerance(): four standard deviations of the difference of two samples.
+/// convergence, each with its 95 % interval. A share with an expected value may deviate by share_tolerance(), which is
+/// four standard deviations of the difference of two samples.
 void add_tally(Comparison&, const Tally&, const Expected& = {});
 /// Adds a row with two 95 % intervals, in percentage points. The first is the interval of the gain over `control` in
 /// the share of converged runs, the second in the share of runs that followed the pole.

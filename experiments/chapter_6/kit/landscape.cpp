@@ -14,8 +14,8 @@ namespace {
 
 using Errors = std::vector<float>; ///< index: the string as a binary number
 
-constexpr double same_error = 1e-3; ///< strings that stand for the same plant, such as with beta and -beta, have errors
-                                    ///< that differ only by rounding
+constexpr double same_error = 1e-3; ///< errors that differ by less, relatively, count as equal: strings for the same
+                                    ///< plant, such as with beta and -beta, differ only by rounding
 
 Genome string_numbered(std::size_t number, std::size_t bits) {
     Genome genome(bits);
@@ -51,7 +51,7 @@ private:
         return static_cast<std::uint32_t>(best);
     }
 
-    /// Follows the descent from a string to its end. The end is always reached, since each step lowers the error.
+    /// Follows the descent from a string to its end. The descent always ends, because each step lowers the error.
     void follow(std::size_t from) {
         std::size_t end = from;
         while (end_[end] != end)

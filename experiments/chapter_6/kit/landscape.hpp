@@ -12,7 +12,7 @@
 namespace placedpar {
 
 /// Computes the sum of squared errors over a window for strings of the plant's problem. The error is linear in the
-/// plant's weights, so the error of a string can be computed from the moments of the window, without a pass through the
+/// plant's weights. So the sum can be computed fast from products of the window's channels, without a pass through the
 /// samples.
 class WindowMoments {
 public:
@@ -28,7 +28,7 @@ private:
     std::vector<double> products_; ///< for each pair of channels, the sum of their products over the window
 };
 
-/// Properties of a reading's fitness landscape. Percentages are of all strings.
+/// Properties of the fitness landscape of a coding of the plant. Percentages are of all strings.
 struct LandscapeFacts {
     double fit_percent;     ///< strings with positive fitness sum(B - e^2)
     std::size_t minima;     ///< strings that no change of one bit improves
@@ -40,11 +40,12 @@ struct LandscapeFacts {
                             ///< nearest best string
 };
 
-/// The number of "don't care" bits of section 6.2 in each of the five parameters of 7 bits: its lowest bits.
+/// The number of "don't care" bits of section 6.2: the lowest bits of each of the five parameters of 7 bits.
 inline constexpr std::size_t low_bits = 3;
 
 /// Returns the fitness of all 2^15 strings that differ only in "don't care" bits from the string nearest to the plant.
-/// The fitness is over the window at generation 0 of the record of this seed, with white noise.
+/// The fitness is over the window at generation 0 of the measurements of this seed, with white noise of the standard
+/// deviation `noise`.
 std::vector<double> fitness_by_low_bits(double noise, std::uint64_t seed);
 
 /// Evaluates every string over the window at generation 0 of the record of this seed. REQUIRES: the reading has at most

@@ -17,16 +17,17 @@ namespace placedpar {
 /// field (Table 5.1).
 const SearchProblem& plant_search_problem();
 std::vector<std::size_t> plant_field_bits();
-/// Returns the coarse reading of Table 6.3, which selects two bits of the string for the delay, and `bits` bits for
-/// each of the five other parameters. With `bits` = 7 the reading selects the whole string.
+/// Returns the coding of a coarse search (Table 6.3). Its strings have the two bits for the delay, and the `bits` most
+/// significant bits of each of the five other parameters. With `bits` = 7 these are all bits of the problem.
 Recoding plant_reading(std::size_t bits, Coding coding = Coding::natural);
 
-/// Returns the settings that all searches of this chapter share with chapter 5: a window of 30 samples, B = 10 for a
-/// sample, stochastic universal sampling, and one elite individual. The probabilities are .8 for crossover and .01 for
+/// Returns the settings that all searches of chapters 5 and 6 have: a window of 30 samples, B = 10 for a sample,
+/// stochastic universal sampling, and one elite individual. The probabilities are .8 for crossover and .01 for
 /// mutation.
 SearchSettings plant_settings(std::size_t population);
 
-/// States how well a search followed the dominant pole while a1 changed (Table 5.4), without noise.
+/// States how well a search followed the plant's dominant pole while the coefficient a1 changed (Table 5.4), without
+/// noise.
 struct PlantOutcome {
     static constexpr double near_the_pole = 0.1;
 
