@@ -28,13 +28,12 @@ struct MovingState {
 /// Simulates the job from rest, and calls `show` with the state at each time of the controller. At these times the
 /// controller reads angles, rates and inlet pressures. The controller resolves the velocity of the tip's reference into
 /// joint rates, and corrects the rates by P-D feedback. It computes the flows from the rates, and the areas for the
-/// present configuration from the flows (feedforward.hpp). The pilot valves set the areas after a dead time and with a
-/// lag.
+/// present configuration from the flows (feedforward.hpp). Each command reaches the pilot valves after their dead time,
+/// which may be longer than the controller's period. The valves then set the areas with a lag.
 ///
 /// Integrates by the Runge-Kutta method of order 4 in fixed steps. Each junction has the compliance of the oil in its
 /// pipes, so that flows follow directly from the pressures. The cross-over valves move between steps. Throws
-/// UnfitScenario if the job leaves the arm's reach, if the soil's force cancels a link's load, or if the dead time is
-/// not shorter than the controller's period.
+/// UnfitScenario if the job leaves the arm's reach, or if the soil's force cancels a link's load.
 void simulate_moving(const MovingExcavator&, const DigJob&, const std::function<void(const MovingState&)>& show);
 
 } // namespace placedpar::hydraulics
