@@ -32,7 +32,6 @@ std::string print_sampling(const Sampling&);
 /// Returns the record with its readings averaged to samples. The time of a sample is the middle of its readings. No
 /// sample combines readings from both sides of a gap, and readings left over before a gap are dropped. A voltage is
 /// held from one sample to the next. Therefore a sample's voltage is the mean of the readings between the middles of
-/// this sample and the next.
-Record averaged(const Record& record, const Sampling& sampling);
+/// X(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics
