@@ -1,8 +1,6 @@
 #pragma once
 
-#include "identification/on_line/alarm.hpp"
-#include "identification/on_line/excavator_parameters.hpp"
-#include "identification/on_line/link_estimate.hpp"
+#include "identification/on_line/diagnosis_way.hpp"
 #include "identification/on_line/moving_search.hpp"
 
 #include <cstddef>
@@ -16,7 +14,7 @@ namespace placedpar::identification {
 
 /// Diagnoses an excavator on line whose configuration is recognised from its readings, as MovingSearch does. A link is
 /// judged by cross-checks 1 and 2 of thesis 3.3, whenever a set that contains it has made a round of generations.
-class MovingDiagnosis {
+class MovingDiagnosis : public DiagnosisWay {
 public:
     /// Number of samples that a set keeps. With fewer, the answers are less certain; with more, a fault is seen later,
     /// and a round takes longer.
@@ -42,22 +40,28 @@ public:
     /// Continues from a state. REQUIRES: the state of an object with the same arguments.
     void go_on_from(MovingDiagnosisState state);
 
-    /// Takes the next sample, and returns the number of generations made.
-    std::size_t take(const hydraulics::ValveReading& sample, double time_s);
-    /// Forgets the last samples after a gap, but keeps estimates and populations.
-    void restart();
-    /// Records an impossible reading, and forgets the last samples, which may contain it.
-    void note_impossible(hydraulics::Link link);
-
-    hydraulics::Configuration configuration() const { return search_.configuration(); }
+    std::optional<hydraulics::Configuration> configuration() const override { return search_.configuration(); }
     /// Returns the links into which oil flowed at the last sample.
-    hydraulics::LinkSet driven() const;
-    /// Returns the estimates of the set; nullopt if its search has not made a round.
-    std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
+    hydraulics::LinkSet active() const override;
+    hydraulics::LinkSet read_links() const override { return hydraulics::LinkSet::all(); }
+    std::size_t take(const NewestSample& newest) override;
+    /// Forgets the last samples, but keeps estimates and populations.
+    void restart(const hydraulics::PerLink<double>&) override { search_.restart(); }
+    /// Records an impossible reading, and forgets the last samples, which may contain it.
+    void note_impossible(hydraulics::Link link) override;
+    std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const override;
     /// Returns the verdict on the link: sound, a changed compliance, impossible readings, not enough evidence (fewer
     /// than `fewest_rounds` rounds), or `cannot_tell` (the sets disagree, or the answer is uncertain or not confirmed
     /// by least squares).
-    LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const;
+    LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const override;
+    /// Returns the healthy compliance: no link has a baseline of its own.
+    double baseline_in3_per_psi(hydraulics::Link, double health_in3_per_psi) const override {
+        return health_in3_per_psi;
+    }
+    /// An alarm stays until the link is found sound, or has another fault.
+    bool keeps_alarm(VerdictKind kind) const override {
+        return kind == VerdictKind::not_enough_evidence || kind == VerdictKind::cannot_tell;
+    }
 
 private:
     const SetSearch& search_of(hydraulics::LinkSet set) const { return search_.searches().at(set); }
@@ -65,6 +69,7 @@ private:
     void combine();
     std::size_t rounds_with(hydraulics::Link) const;
 
+    hydraulics::PerLink<hydraulics::LinkConstants> links_;
     MovingSearch search_;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates_;
     hydraulics::PerLink<std::optional<std::size_t>> impossible_{}; ///< as in MovingDiagnosisState
