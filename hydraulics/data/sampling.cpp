@@ -54,6 +54,8 @@ Record averaged(const Record& record, const Sampling& sampling) {
     for (const Stretch& stretch : record.stretches())
         for (std::size_t first = stretch.first; first + sampling.readings <= stretch.last; first += sampling.readings) {
             samples.time_s.push_back(mean_of(std::span(record.time_s).subspan(first, sampling.readings)));
+            if (!record.configuration.empty())
+                samples.configuration += record.configuration[first + sampling.readings / 2];
             const std::size_t held = std::min(sampling.readings / 2, stretch.last - first - sampling.readings);
             for (Link link : all_links)
                 for (Sensor sensor : all_sensors)

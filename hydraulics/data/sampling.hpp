@@ -33,7 +33,8 @@ std::string print_sampling(const Sampling&);
 /// Returns the record with its readings averaged to samples. The time of a sample is the middle of its readings. A
 /// sample combines only readings between the same two gaps. Readings before a gap that do not fill a sample are
 /// dropped. The equations take a voltage as constant from one sample's time to the next sample's time. Therefore a
-/// sample's voltage is the mean of the readings between these two times.
+/// sample's voltage is the mean of the readings between these two times. The configuration of a sample is that of its
+/// middle reading.
 Record averaged(const Record& record, const Sampling& sampling);
 
 } // namespace placedpar::hydraulics

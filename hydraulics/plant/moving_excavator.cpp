@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <queue>
 
 namespace placedpar::hydraulics {
 
@@ -78,6 +78,12 @@ private:
     const MovingExcavator& machine_;
 };
 
+/// A command that waits for the pilot valves' dead time.
+struct ValveCommand {
+    std::size_t due; ///< the integration step at which the command reaches the valves
+    PerLink<OrificeAreas> areas;
+};
+
 /// Simulates a digging job in steps of the controller's period.
 class Digging {
 public:
@@ -117,11 +123,10 @@ public:
     }
 
     void advance() {
-        const auto next = controlled();
+        commands_.push({step_ + late_, controlled()});
         set_loads();
-        for (std::size_t step = 0; step < steps_; ++step) {
-            if (step == late_)
-                dynamics_.asked = next;
+        for (const std::size_t end = step_ + steps_; step_ < end; ++step_) {
+            pass_command();
             stepper_.do_step(std::ref(dynamics_), state_, 0.0, machine_.integration_step_s);
             dynamics_.configuration = next_configuration(dynamics_.configuration, branch(), machine_.cross_over);
         }
@@ -131,6 +136,14 @@ public:
 private:
     double arm(std::size_t link) const { return machine_.links[link].moment_arm_in; }
     double angle_rad(std::size_t link) const { return start_[link] + part(state_, link, piston_in) / arm(link); }
+
+    /// Passes the oldest command to the pilot valves, if its dead time has ended.
+    void pass_command() {
+        if (commands_.empty() || commands_.front().due != step_)
+            return;
+        dynamics_.asked = commands_.front().areas;
+        commands_.pop();
+    }
 
     BranchPressures branch() const { return branch_pressures(junctions_psi(state_)); }
 
@@ -170,7 +183,9 @@ private:
     MovingDynamics dynamics_;
     TipReference reference_;
     JointAngles start_;
-    std::size_t steps_, late_;
+    std::size_t steps_, late_; ///< integration steps in a control period, and in the dead time
+    std::size_t step_ = 0;     ///< integration steps made
+    std::queue<ValveCommand> commands_;
     MachineState state_{};
     boost::numeric::odeint::runge_kutta4<MachineState> stepper_;
 };
@@ -179,10 +194,6 @@ private:
 
 void simulate_moving(const MovingExcavator& machine, const DigJob& job,
                      const std::function<void(const MovingState&)>& show) {
-    if (machine.dead_time_s >= machine.control_period_s)
-        throw UnfitScenario(fmt::format("sensors.period is {} s, expected more than valve.dead_time ({} s): a machine "
-                                        "that digs is controlled once in each period",
-                                        machine.control_period_s, machine.dead_time_s));
     if (auto move = unreachable_move(job, machine.arm, machine.joystick_lag_s, machine.control_period_s))
         throw UnfitScenario(fmt::format("move {}: the arm does not reach the tip's path", *move + 1));
     Digging digging(machine, job);

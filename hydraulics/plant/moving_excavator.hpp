@@ -28,13 +28,14 @@ struct MovingState {
 /// Simulates a digging job from rest. Once in every period of the controller, calls `show` with the state. At these
 /// times the controller reads angles, rates and inlet pressures. The controller converts the demanded velocity of the
 /// bucket's tip into joint rates, and corrects the rates by P-D feedback. From the rates it computes the flows. From
-/// the flows it computes the areas for the present configuration (feedforward.hpp). The pilot valves set the areas
-/// after a dead time and with a lag.
+/// the flows it computes the areas for the present configuration (feedforward.hpp). Each command reaches the pilot
+/// valves after their dead time, which may be longer than the controller's period. The valves then set the areas with a
+/// lag.
 ///
 /// Integrates by the Runge-Kutta method of order 4 in fixed steps. The oil in the pipes has a compliance at each
 /// junction. The pressures are therefore states of the simulation, and the flows follow directly from them. The
-/// cross-over valves move only between steps. Throws UnfitScenario if the job leaves the arm's reach, if the soil's
-/// force cancels a link's load, or if the dead time is not shorter than the controller's period.
+/// cross-over valves move only between steps. Throws UnfitScenario if the job leaves the arm's reach, or if the
+/// soil's force cancels a link's load.
 void simulate_moving(const MovingExcavator&, const DigJob&, const std::function<void(const MovingState&)>& show);
 
 } // namespace placedpar::hydraulics

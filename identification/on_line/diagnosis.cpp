@@ -4,12 +4,11 @@
 #include "identification/on_line/diagnosis_state.hpp"
 #include "identification/on_line/moving_diagnosis.hpp"
 #include "identification/on_line/refused_sample.hpp"
-
-#include <fmt/format.h>
+#include "identification/on_line/reported_diagnosis.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
+#include <utility>
 
 namespace placedpar::identification {
 
@@ -29,16 +28,6 @@ std::vector<Alarm> without(const std::vector<Alarm>& a, const std::vector<Alarm>
     return rest;
 }
 
-AreasFrom areas_from(const std::variant<SpoolPosition, ServoVoltage, ValveAreas>& valve) {
-    if (std::holds_alternative<ServoVoltage>(valve))
-        return AreasFrom::servo;
-    return std::holds_alternative<SpoolPosition>(valve) ? AreasFrom::spool : AreasFrom::areas;
-}
-
-SetWatch::State& watch_of(DiagnosisState& state, LinkSet set) {
-    return state.watches.try_emplace(set, SetWatch::first_state(set)).first->second;
-}
-
 Diagnosis::State first_state_of(std::string name, const ExcavatorParameters& parameters) {
     Diagnosis::State state;
     state.name = std::move(name);
@@ -49,71 +38,79 @@ Diagnosis::State first_state_of(std::string name, const ExcavatorParameters& par
 
 } // namespace
 
+struct Diagnosis::Parts {
+    State state; ///< without what the two ways keep
+    ReportedDiagnosis reported;
+    std::optional<MovingDiagnosis> moving; ///< nullopt: the control system reports the configuration
+};
+
 Diagnosis::Diagnosis(std::string name, const ExcavatorParameters& parameters, const DiagnosisSettings& settings,
                      std::uint64_t seed)
     : Diagnosis(first_state_of(std::move(name), parameters), settings, seed) {}
 
 Diagnosis::Diagnosis(State state, const DiagnosisSettings& settings, std::uint64_t seed)
-    : settings_(settings), seed_(seed), sampling_(Sampling::of(state.parameters.period_s)),
-      state_(std::make_unique<State>(std::move(state))), fit_(sampling_.period_s()) {
+    : settings_(settings), seed_(seed), sampling_(Sampling::of(state.parameters.period_s)), fit_(sampling_.period_s()) {
     settings_.validate();
-    for (auto& [links, set] : state_->sets)
-        sets_.try_emplace(links, links, settings_, seed_, fmt::format("{}/{}", state_->name, name_of_set(links)),
-                          std::move(set));
-    state_->sets.clear();
-    if (!state_->moving)
-        return;
-    make_moving();
-    moving_->go_on_from(*std::exchange(state_->moving, std::nullopt));
-}
-
-const std::string& Diagnosis::name() const { return state_->name; }
-const ExcavatorParameters& Diagnosis::parameters() const { return state_->parameters; }
-std::optional<Configuration> Diagnosis::configuration() const { return state_->configuration; }
-LinkSet Diagnosis::active() const { return state_->active; }
-std::optional<double> Diagnosis::time_s() const { return state_->time_s; }
-std::uint64_t Diagnosis::samples() const { return state_->samples; }
-std::optional<double> Diagnosis::sample_s() const { return state_->sample_s; }
-double Diagnosis::health_in3_per_psi(Link link) const { return state_->health_in3_per_psi[index_of(link)]; }
-const std::vector<Alarm>& Diagnosis::alarms() const { return state_->alarms; }
-void Diagnosis::connected() { state_->time_may_restart = true; }
-
-std::optional<LinkSample> Diagnosis::centre(Link link) const {
-    return state_->tracks[index_of(link)].centre(fit_, state_->parameters.links[index_of(link)]);
+    ReportedDiagnosis reported(state.parameters, settings_, seed_, state.name);
+    reported.report(state.configuration, state.active);
+    reported.go_on_from(std::exchange(state.sets, {}), std::exchange(state.watches, {}), state.judged);
+    auto moving = std::exchange(state.moving, std::nullopt);
+    parts_ = std::make_unique<Parts>(Parts{std::move(state), std::move(reported), std::nullopt});
+    if (moving)
+        begin_moving().go_on_from(std::move(*moving));
 }
 
 Diagnosis::Diagnosis(const Diagnosis& other)
-    : settings_(other.settings_), seed_(other.seed_), sampling_(other.sampling_),
-      state_(std::make_unique<State>(*other.state_)), judged_(other.judged_), fit_(other.fit_),
-      moving_(other.moving_ ? std::make_unique<MovingDiagnosis>(*other.moving_) : nullptr), sets_(other.sets_),
-      problems_(other.problems_) {}
+    : settings_(other.settings_), seed_(other.seed_), sampling_(other.sampling_), fit_(other.fit_),
+      parts_(std::make_unique<Parts>(*other.parts_)) {}
 
 Diagnosis& Diagnosis::operator=(const Diagnosis& other) { return *this = Diagnosis(other); }
 Diagnosis::Diagnosis(Diagnosis&&) noexcept = default;
 Diagnosis& Diagnosis::operator=(Diagnosis&&) noexcept = default;
 Diagnosis::~Diagnosis() = default;
 
-void Diagnosis::make_moving() {
-    moving_ = std::make_unique<MovingDiagnosis>(state_->parameters, sampling_.period_s(), seed_, state_->name);
+const DiagnosisWay& Diagnosis::way() const {
+    return parts_->moving ? static_cast<const DiagnosisWay&>(*parts_->moving) : parts_->reported;
+}
+
+DiagnosisWay& Diagnosis::way() {
+    return parts_->moving ? static_cast<DiagnosisWay&>(*parts_->moving) : parts_->reported;
+}
+
+MovingDiagnosis& Diagnosis::begin_moving() {
+    return parts_->moving.emplace(parts_->state.parameters, sampling_.period_s(), seed_, parts_->state.name);
+}
+
+bool Diagnosis::recognises() const { return parts_->moving.has_value(); }
+const std::string& Diagnosis::name() const { return parts_->state.name; }
+const ExcavatorParameters& Diagnosis::parameters() const { return parts_->state.parameters; }
+std::optional<Configuration> Diagnosis::configuration() const { return way().configuration(); }
+LinkSet Diagnosis::active() const { return way().active(); }
+std::optional<double> Diagnosis::time_s() const { return parts_->state.time_s; }
+std::uint64_t Diagnosis::samples() const { return parts_->state.samples; }
+std::optional<double> Diagnosis::sample_s() const { return parts_->state.sample_s; }
+double Diagnosis::health_in3_per_psi(Link link) const { return parts_->state.health_in3_per_psi[index_of(link)]; }
+const std::vector<Alarm>& Diagnosis::alarms() const { return parts_->state.alarms; }
+void Diagnosis::connected() { parts_->state.time_may_restart = true; }
+const std::map<LinkSet, PopulationSet>& Diagnosis::sets() const { return parts_->reported.sets(); }
+std::optional<SetEstimates> Diagnosis::estimates(LinkSet set) const { return way().estimates(set); }
+const Movement::State* Diagnosis::movement(LinkSet set) const { return parts_->reported.movement(set); }
+
+std::optional<LinkSample> Diagnosis::centre(Link link) const {
+    return parts_->state.tracks[index_of(link)].centre(fit_, parts_->state.parameters.links[index_of(link)]);
 }
 
 Diagnosis::State Diagnosis::state() const {
-    State copy = *state_;
-    for (const auto& [links, set] : sets_)
+    State copy = parts_->state;
+    copy.configuration = configuration();
+    copy.active = active();
+    copy.judged = way().judgements().changed;
+    for (const auto& [links, set] : parts_->reported.sets())
         copy.sets.emplace(links, set.state());
-    if (moving_)
-        copy.moving = moving_->state();
+    copy.watches = parts_->reported.watches();
+    if (parts_->moving)
+        copy.moving = parts_->moving->state();
     return copy;
-}
-
-std::optional<SetEstimates> Diagnosis::estimates(LinkSet set) const {
-    if (moving_)
-        return moving_->estimates(set);
-    auto found = sets_.find(set);
-    if (found == sets_.end())
-        return std::nullopt;
-    const PopulationSet::State& state = found->second.state();
-    return SetEstimates{set, state.window.size(), state.generations, state.estimates};
 }
 
 std::vector<SetEstimates> Diagnosis::estimates() const {
@@ -125,85 +122,61 @@ std::vector<SetEstimates> Diagnosis::estimates() const {
 }
 
 std::vector<LinkSet> Diagnosis::sets_in_use() const {
-    if (!state_->configuration)
-        return {};
-    return identification::sets_in_use(*state_->configuration, state_->active);
-}
-
-PopulationSet& Diagnosis::population(LinkSet set) {
-    auto [place, made] =
-        sets_.try_emplace(set, set, settings_, seed_, fmt::format("{}/{}", state_->name, name_of_set(set)));
-    return place->second;
-}
-
-const SetProblem& Diagnosis::problem(LinkSet set) {
-    auto [place, made] = problems_.try_emplace({*state_->configuration, set}, *state_->configuration, set,
-                                               state_->parameters.flow, settings_.bits);
-    return place->second;
+    return configuration() ? identification::sets_in_use(*configuration(), active()) : std::vector<LinkSet>();
 }
 
 bool Diagnosis::can_recognise() const { return MovingDiagnosis::suits(sampling_.period_s()); }
 
 SampleOutcome Diagnosis::change(const RecognisedConfiguration&) {
     SampleOutcome outcome;
-    if (moving_)
+    if (parts_->moving)
         return outcome;
     restart_windows();
     judge(outcome); // the movements that have ended
-    make_moving();
-    state_->configuration = moving_->configuration();
-    state_->active = {};
+    begin_moving();
     return outcome;
 }
 
 SampleOutcome Diagnosis::change(const ConfigurationChange& change) {
     SampleOutcome outcome;
-    if (!moving_ && state_->configuration == change.configuration && state_->active == change.active)
+    if (!parts_->moving && configuration() == change.configuration && active() == change.active)
         return outcome;
     restart_windows(); // for the sets of the old configuration
-    const bool recognised = std::exchange(moving_, nullptr) != nullptr;
-    state_->configuration = change.configuration;
-    state_->active = change.active;
+    const bool recognised = std::exchange(parts_->moving, std::nullopt).has_value();
+    parts_->reported.report(change.configuration, change.active);
     for (Link link : all_links)
-        if (!state_->active.contains(link))
-            state_->tracks[index_of(link)] = {}; // readings of an inactive link are not kept
+        if (!change.active.contains(link))
+            parts_->state.tracks[index_of(link)] = {}; // readings of an inactive link are not kept
     if (recognised)
         update_alarms(outcome);
     return outcome;
 }
 
 void Diagnosis::restart_windows() {
-    state_->open = {};
-    state_->sample_s.reset();
-    for (LinkTrack& track : state_->tracks)
+    parts_->state.open = {};
+    parts_->state.sample_s.reset();
+    for (LinkTrack& track : parts_->state.tracks)
         track.restart();
-    for (FrozenWatch& pressure : state_->pressures)
+    for (FrozenWatch& pressure : parts_->state.pressures)
         pressure.restart();
-    for (FrozenWatch& angle : state_->angles)
+    for (FrozenWatch& angle : parts_->state.angles)
         angle.restart();
-    if (moving_)
-        return moving_->restart();
-    for (LinkSet set : sets_in_use()) {
-        end_movement(set);
-        if (auto found = sets_.find(set); found != sets_.end())
-            found->second.restart_window();
-    }
+    way().restart(parts_->state.health_in3_per_psi);
 }
 
-LinkSet Diagnosis::read_links() const { return moving_ ? LinkSet::all() : state_->active; }
-
 void Diagnosis::require_acceptable(const ExcavatorSample& sample) const {
-    if (!state_->configuration)
+    if (!configuration())
         throw RefusedSample(NoConfiguration{});
-    for (Link link : links_of(read_links()))
+    for (Link link : links_of(way().read_links()))
         if (!sample.links[index_of(link)])
             throw RefusedSample(LinkNotRead{link});
-    if (state_->time_s && sample.time_s <= *state_->time_s && !state_->time_may_restart)
-        throw RefusedSample(TimeNotLater{sample.time_s, *state_->time_s});
+    if (parts_->state.time_s && sample.time_s <= *parts_->state.time_s && !parts_->state.time_may_restart)
+        throw RefusedSample(TimeNotLater{sample.time_s, *parts_->state.time_s});
 }
 
 std::optional<double> Diagnosis::elapsed_s(double time_s) const {
-    return state_->time_s && time_s > *state_->time_s ? std::optional(time_s - *state_->time_s) : std::nullopt;
+    return parts_->state.time_s && time_s > *parts_->state.time_s ? std::optional(time_s - *parts_->state.time_s)
+                                                                  : std::nullopt;
 }
 
 bool Diagnosis::follows(std::optional<double> elapsed_s) const {
@@ -213,32 +186,32 @@ bool Diagnosis::follows(std::optional<double> elapsed_s) const {
 }
 
 void Diagnosis::read(const ExcavatorSample& sample, std::optional<double> elapsed_s) {
-    if (state_->open.readings++ == 0)
-        state_->open.first_s = sample.time_s;
-    state_->open.after_s += sample.time_s - state_->open.first_s;
-    state_->time_s = sample.time_s;
-    state_->time_may_restart = false;
-    ++state_->samples;
-    for (Link link : links_of(read_links()))
-        state_->tracks[index_of(link)].read(*sample.links[index_of(link)], state_->parameters.links[index_of(link)],
-                                            elapsed_s);
+    if (parts_->state.open.readings++ == 0)
+        parts_->state.open.first_s = sample.time_s;
+    parts_->state.open.after_s += sample.time_s - parts_->state.open.first_s;
+    parts_->state.time_s = sample.time_s;
+    parts_->state.time_may_restart = false;
+    ++parts_->state.samples;
+    for (Link link : links_of(way().read_links()))
+        parts_->state.tracks[index_of(link)].read(*sample.links[index_of(link)],
+                                                  parts_->state.parameters.links[index_of(link)], elapsed_s);
 }
 
 bool Diagnosis::finish_sample(SampleOutcome& outcome) {
-    if (state_->open.readings < sampling_.readings)
+    if (parts_->state.open.readings < sampling_.readings)
         return false;
-    const double middle_s = state_->open.middle_s(), late_s = jitter * sampling_.period_s();
-    if (sampling_.readings > 1 && state_->sample_s &&
-        std::abs(middle_s - *state_->sample_s - sampling_.period_s()) > late_s) {
+    const double middle_s = parts_->state.open.middle_s(), late_s = jitter * sampling_.period_s();
+    if (sampling_.readings > 1 && parts_->state.sample_s &&
+        std::abs(middle_s - *parts_->state.sample_s - sampling_.period_s()) > late_s) {
         outcome.window_restarted = true;
         restart_windows();
-        state_->sample_s = middle_s;
+        parts_->state.sample_s = middle_s;
         return false;
     }
-    state_->open = {};
-    state_->sample_s = middle_s;
-    for (Link link : links_of(read_links()))
-        state_->tracks[index_of(link)].finish_sample();
+    parts_->state.open = {};
+    parts_->state.sample_s = middle_s;
+    for (Link link : links_of(way().read_links()))
+        parts_->state.tracks[index_of(link)].finish_sample();
     return true;
 }
 
@@ -247,40 +220,16 @@ SampleOutcome Diagnosis::take(const ExcavatorSample& sample) {
     SampleOutcome outcome;
     std::optional<double> elapsed = elapsed_s(sample.time_s);
     if (!follows(elapsed)) {
-        outcome.window_restarted = state_->time_s.has_value();
+        outcome.window_restarted = parts_->state.time_s.has_value();
         restart_windows();
     }
     read(sample, elapsed);
     watch_readings(sample);
     if (finish_sample(outcome))
-        outcome.generations = moving_ ? recognise() : search(sample);
+        outcome.generations =
+            way().take({parts_->state.tracks, sample, *parts_->state.sample_s, parts_->state.health_in3_per_psi});
     judge(outcome);
     return outcome;
-}
-
-std::size_t Diagnosis::recognise() {
-    ValveReading reading{};
-    for (Link link : all_links) {
-        const std::size_t i = index_of(link);
-        const LinkTrack::Newest newest = state_->tracks[i].newest(state_->parameters.links[i]);
-        reading.links.inlet_psi[i] = newest.inlet_psi;
-        reading.links.inlet_in2[i] = newest.inlet_in2;
-        reading.links.bypass_in2[i] = newest.bypass_in2;
-        reading.piston_in3[i] = newest.piston_in3;
-    }
-    const std::size_t generations = moving_->take(reading, *state_->sample_s);
-    state_->judged |= generations > 0;
-    state_->configuration = moving_->configuration();
-    state_->active = moving_->driven();
-    return generations;
-}
-
-std::size_t Diagnosis::search(const ExcavatorSample& sample) {
-    const double centre_s = *state_->sample_s - static_cast<double>(line_fit_points / 2) * sampling_.period_s();
-    std::size_t generations = 0;
-    for (LinkSet set : sets_in_use())
-        generations += search(set, sample, centre_s);
-    return generations;
 }
 
 SampleOutcome Diagnosis::end_movements() {
@@ -290,120 +239,30 @@ SampleOutcome Diagnosis::end_movements() {
     return outcome;
 }
 
-const Movement::State* Diagnosis::movement(LinkSet set) const {
-    auto found = state_->watches.find(set);
-    bool moves = found != state_->watches.end() && !found->second.movement.samples.moving.empty();
-    return moves ? &found->second.movement : nullptr;
-}
-
 void Diagnosis::judge(SampleOutcome& outcome) {
-    outcome.judged = std::exchange(judged_, {});
-    if (std::exchange(state_->judged, false))
+    Judgements judgements = way().take_judgements();
+    outcome.judged = std::move(judgements.movements);
+    if (judgements.changed)
         update_alarms(outcome);
-}
-
-std::size_t Diagnosis::search(LinkSet set, const ExcavatorSample& sample, double centre_s) {
-    SetSample samples;
-    for (Link link : links_of(set)) {
-        auto centre = state_->tracks[index_of(link)].centre(fit_, state_->parameters.links[index_of(link)]);
-        if (!centre)
-            return 0;
-        samples.push_back(*centre);
-        if (state_->tracks[index_of(link)].spikes(sampling_.period_s()))
-            note_impossible(set, link);
-    }
-    watch(set, samples, sample);
-    return population(set).take(problem(set), samples, centre_s);
-}
-
-std::vector<double> Diagnosis::health_in3_per_psi(LinkSet set) const {
-    std::vector<double> health;
-    for (Link link : links_of(set))
-        health.push_back(state_->health_in3_per_psi[index_of(link)]);
-    return health;
-}
-
-void Diagnosis::watch(LinkSet set, const SetSample& centre, const ExcavatorSample& newest) {
-    std::vector<AreasFrom> valves;
-    for (Link link : links_of(set))
-        valves.push_back(areas_from(newest.links[index_of(link)]->valve));
-    SetWatch::State& state = watch_of(*state_, set);
-    SetWatch watch(sampling_, std::move(state));
-    if (watch.note_moving_shut(centre, health_in3_per_psi(set)))
-        state_->judged = true;
-    note(set, watch.take(problem(set), centre, valves, health_in3_per_psi(set)));
-    state = watch.state();
-}
-
-void Diagnosis::end_movement(LinkSet set) {
-    SetWatch::State& state = watch_of(*state_, set);
-    SetWatch watch(sampling_, std::move(state));
-    note(set, watch.end_movement(problem(set), health_in3_per_psi(set)));
-    state = watch.state();
-}
-
-void Diagnosis::note(LinkSet set, std::optional<std::vector<Deviation>> judged) {
-    if (!judged)
-        return;
-    state_->judged = true;
-    judged_.push_back({set, std::move(*judged)});
 }
 
 bool Diagnosis::is_impossible(Link link, const Reading& reading) {
     const std::size_t fewest = fewest_frozen(sampling_.reading_s), i = index_of(link);
-    const bool pressure_froze = state_->pressures[i].take(reading.inlet_psi, least_jump_psi, fewest);
-    const bool angle_froze = state_->angles[i].take(reading.angle_deg, least_jump_deg, fewest);
+    const bool pressure_froze = parts_->state.pressures[i].take(reading.inlet_psi, least_jump_psi, fewest);
+    const bool angle_froze = parts_->state.angles[i].take(reading.angle_deg, least_jump_deg, fewest);
     return pressure_froze || angle_froze || reading.inlet_psi < vacuum_psi;
 }
 
 void Diagnosis::watch_readings(const ExcavatorSample& sample) {
-    for (Link link : links_of(read_links()))
+    for (Link link : links_of(way().read_links()))
         if (is_impossible(link, *sample.links[index_of(link)]))
-            note_impossible(link);
+            way().note_impossible(link);
 }
 
-void Diagnosis::note_impossible(Link link) {
-    state_->judged = true;
-    if (moving_)
-        return moving_->note_impossible(link);
-    for (LinkSet set : sets_in_use())
-        if (set.contains(link))
-            note_impossible(set, link);
-}
-
-void Diagnosis::note_impossible(LinkSet set, Link link) {
-    SetWatch::State& state = watch_of(*state_, set);
-    SetWatch watch(sampling_, std::move(state));
-    watch.note_impossible(position_in(set, link));
-    state = watch.state();
-    state_->judged = true;
-}
-
-LinkVerdict Diagnosis::verdict(Link link) const {
-    if (moving_)
-        return moving_->verdict(link, state_->health_in3_per_psi[index_of(link)]);
-    auto weight = [](const Verdict& verdict) {
-        bool fault = alarm_of(verdict.kind).has_value();
-        return std::pair(fault, verdict.movements);
-    };
-    Verdict most;
-    for (const auto& [set, state] : state_->watches)
-        if (set.contains(link))
-            if (Verdict verdict = LinkJudge(state.judges[position_in(set, link)]).verdict();
-                weight(verdict) > weight(most))
-                most = verdict;
-    return {most, WayUnits::of(state_->health_in3_per_psi[index_of(link)])};
-}
+LinkVerdict Diagnosis::verdict(Link link) const { return way().verdict(link, health_in3_per_psi(link)); }
 
 double Diagnosis::baseline_in3_per_psi(Link link) const {
-    const double health = state_->health_in3_per_psi[index_of(link)];
-    if (moving_)
-        return health;
-    for (const auto& [set, state] : state_->watches)
-        if (set.contains(link))
-            if (auto own = LinkJudge(state.judges[position_in(set, link)]).baseline())
-                return health + WayUnits::of(health).compliance_in3_per_psi * own->by[0];
-    return health;
+    return way().baseline_in3_per_psi(link, health_in3_per_psi(link));
 }
 
 LinkCheck Diagnosis::check(Link link) const {
@@ -413,7 +272,7 @@ LinkCheck Diagnosis::check(Link link) const {
             continue;
         const LinkEstimate& estimate = links[position_in(set, link)];
         double settled_s = estimate.state().settled_time_s;
-        if (!estimate.settled_in3_per_psi() || std::abs(*state_->time_s - settled_s) > settings_.stale_after_s)
+        if (!estimate.settled_in3_per_psi() || std::abs(*parts_->state.time_s - settled_s) > settings_.stale_after_s)
             continue;
         check.estimates.push_back({set, *estimate.settled_in3_per_psi(), *estimate.lasting_in3_per_psi(),
                                    estimate.state().settled_in3_per_psi.size(), settled_s});
@@ -424,10 +283,8 @@ LinkCheck Diagnosis::check(Link link) const {
 SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
     for (Link link : all_links)
         if (const auto& compliance = baseline.compliance_in3_per_psi[index_of(link)]) {
-            state_->health_in3_per_psi[index_of(link)] = *compliance;
-            for (auto& [set, state] : state_->watches)
-                if (set.contains(link))
-                    state.judges[position_in(set, link)] = {};
+            parts_->state.health_in3_per_psi[index_of(link)] = *compliance;
+            parts_->reported.forget(link);
         }
     SampleOutcome outcome;
     update_alarms(outcome);
@@ -435,12 +292,9 @@ SampleOutcome Diagnosis::set_baseline(const Baseline& baseline) {
 }
 
 bool Diagnosis::stays(const Alarm& alarm) const {
-    if (!moving_ || alarm.kind == AlarmKind::sensor)
-        return false;
-    return std::ranges::any_of(links_of(alarm.links), [&](Link link) {
-        const VerdictKind kind = verdict(link).verdict.kind;
-        return kind == VerdictKind::not_enough_evidence || kind == VerdictKind::cannot_tell;
-    });
+    return alarm.kind != AlarmKind::sensor && std::ranges::any_of(links_of(alarm.links), [&](Link link) {
+               return way().keeps_alarm(verdict(link).verdict.kind);
+           });
 }
 
 void Diagnosis::update_alarms(SampleOutcome& outcome) {
@@ -448,12 +302,12 @@ void Diagnosis::update_alarms(SampleOutcome& outcome) {
     for (Link link : all_links)
         verdicts[index_of(link)] = verdict(link);
     std::vector<Alarm> now = find_alarms(verdicts);
-    for (const Alarm& alarm : without(state_->alarms, now))
+    for (const Alarm& alarm : without(parts_->state.alarms, now))
         if (stays(alarm))
             now.push_back(alarm);
-    outcome.raised = without(now, state_->alarms);
-    outcome.cleared = without(state_->alarms, now);
-    state_->alarms = std::move(now);
+    outcome.raised = without(now, parts_->state.alarms);
+    outcome.cleared = without(parts_->state.alarms, now);
+    parts_->state.alarms = std::move(now);
 }
 
 } // namespace placedpar::identification

@@ -1,10 +1,9 @@
 #pragma once
 
 #include "hydraulics/circuit/line_fit.hpp"
-#include "identification/on_line/alarm.hpp"
+#include "hydraulics/data/sampling.hpp"
 #include "identification/on_line/cross_check.hpp"
-#include "identification/on_line/excavator_parameters.hpp"
-#include "identification/on_line/inputs.hpp"
+#include "identification/on_line/diagnosis_way.hpp"
 #include "identification/on_line/population_set.hpp"
 #include "identification/on_line/population_sets.hpp"
 #include "identification/verdict/movement.hpp"
@@ -13,22 +12,13 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace placedpar::identification {
 
-struct DiagnosisState; // identification/on_line/diagnosis_state.hpp
 class MovingDiagnosis; // identification/on_line/moving_diagnosis.hpp
-
-/// The deviations of the links of a population set (population_sets.hpp) in one movement, in the order of links_of().
-struct JudgedMovement {
-    hydraulics::LinkSet set;
-    /// Deviations from a healthy link, which has the healthy compliance, no leak and no offset.
-    std::vector<Deviation> links;
-};
+struct DiagnosisState; // identification/on_line/diagnosis_state.hpp
 
 /// The effects of one reading.
 struct SampleOutcome {
@@ -38,7 +28,9 @@ struct SampleOutcome {
     std::vector<Alarm> raised, cleared;
 };
 
-/// The on-line diagnosis of one excavator: its population sets, the data that feed them, and the active alarms. The
+/// The on-line diagnosis of one excavator: the data of its links, one of two ways to judge them, and the active alarms.
+/// The way is ReportedDiagnosis until the recognition of the configuration begins, MovingDiagnosis until it ends, and
+/// then ReportedDiagnosis again, with all that it had found. The
 /// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Single
 /// readings are used only by the checks for frozen sensors and for pressures below vacuum, and to compute a spool's
 /// position from its voltage.
@@ -59,13 +51,13 @@ public:
     Diagnosis& operator=(Diagnosis&&) noexcept;
     ~Diagnosis();
 
-    /// Returns a copy of the state, with the states of the population sets.
+    /// Returns a copy of the state, with the states of both ways.
     State state() const;
 
     const std::string& name() const;
     const ExcavatorParameters& parameters() const;
     /// Returns whether the configuration is recognised from the readings.
-    bool recognises() const { return moving_ != nullptr; }
+    bool recognises() const;
     /// Returns the configuration, as reported or as recognised at the last sample.
     std::optional<hydraulics::Configuration> configuration() const;
     /// Returns the active links, as reported or as recognised at the last sample.
@@ -78,7 +70,7 @@ public:
     /// Returns the state of the link two samples before sample_s(); nullopt if the windows have restarted since.
     std::optional<hydraulics::LinkSample> centre(hydraulics::Link link) const;
     /// Returns the population sets that were searched in reported configurations.
-    const std::map<hydraulics::LinkSet, PopulationSet>& sets() const { return sets_; }
+    const std::map<hydraulics::LinkSet, PopulationSet>& sets() const;
     /// Returns the estimates of the set; nullopt if it has not been used.
     std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
     /// Returns the estimates of all sets ever used, in the order of Figure 3.13. While the configuration is recognised,
@@ -123,9 +115,11 @@ public:
     const Movement::State* movement(hydraulics::LinkSet set) const;
 
 private:
-    void make_moving();
-    /// Returns the links whose readings are used.
-    hydraulics::LinkSet read_links() const;
+    struct Parts; ///< the state and the two ways
+
+    MovingDiagnosis& begin_moving();
+    const DiagnosisWay& way() const;
+    DiagnosisWay& way();
     void require_acceptable(const ExcavatorSample& sample) const;
     /// Returns the time since the last sample; nullopt if there was none or time has restarted.
     std::optional<double> elapsed_s(double time_s) const;
@@ -134,34 +128,17 @@ private:
     /// Returns whether this reading completes a sample that continues the windows.
     bool finish_sample(SampleOutcome& outcome);
     void restart_windows();
-    /// Passes the sample to MovingDiagnosis, and returns the number of generations made.
-    std::size_t recognise();
-    std::size_t search(const ExcavatorSample& sample);
-    std::size_t search(hydraulics::LinkSet set, const ExcavatorSample& sample, double centre_s);
-    void watch(hydraulics::LinkSet set, const SetSample& centre, const ExcavatorSample& newest);
-    void end_movement(hydraulics::LinkSet set);
     void watch_readings(const ExcavatorSample& sample);
     bool is_impossible(hydraulics::Link link, const Reading& reading);
-    void note_impossible(hydraulics::Link link);
-    void note_impossible(hydraulics::LinkSet set, hydraulics::Link link);
-    std::vector<double> health_in3_per_psi(hydraulics::LinkSet set) const;
-    void note(hydraulics::LinkSet set, std::optional<std::vector<Deviation>> judged);
-    const SetProblem& problem(hydraulics::LinkSet set);
-    PopulationSet& population(hydraulics::LinkSet set);
     void judge(SampleOutcome& outcome);
     void update_alarms(SampleOutcome& outcome);
-    /// Returns whether an active alarm stays: while the configuration is recognised, only a sound link clears an alarm.
     bool stays(const Alarm& alarm) const;
 
     DiagnosisSettings settings_;
     std::uint64_t seed_;
     hydraulics::Sampling sampling_;
-    std::unique_ptr<State> state_;       ///< without the states of the population sets and of moving_
-    std::vector<JudgedMovement> judged_; ///< movements judged since the last outcome
     hydraulics::CentredLineFit fit_;
-    std::unique_ptr<MovingDiagnosis> moving_; ///< null: the control system reports the configuration
-    std::map<hydraulics::LinkSet, PopulationSet> sets_;
-    std::map<std::pair<hydraulics::Configuration, hydraulics::LinkSet>, SetProblem> problems_;
+    std::unique_ptr<Parts> parts_;
 };
 
 } // namespace placedpar::identification

@@ -22,6 +22,19 @@ RecognisedMachine recognised(const ExcavatorParameters& parameters) {
     return machine;
 }
 
+/// Returns the newest sample of all links.
+ValveReading newest_reading(const PerLink<LinkTrack>& tracks, const PerLink<LinkConstants>& links) {
+    ValveReading reading{};
+    for (std::size_t i = 0; i < all_links.size(); ++i) {
+        const LinkTrack::Newest newest = tracks[i].newest(links[i]);
+        reading.links.inlet_psi[i] = newest.inlet_psi;
+        reading.links.inlet_in2[i] = newest.inlet_in2;
+        reading.links.bypass_in2[i] = newest.bypass_in2;
+        reading.piston_in3[i] = newest.piston_in3;
+    }
+    return reading;
+}
+
 /// Returns the likelihood of the deviation `found`, if the true deviation is `truth`. Both are in standard errors.
 double likelihood(double found, double truth) { return std::exp(-(found - truth) * (found - truth) / 2); }
 
@@ -67,7 +80,8 @@ void judge(const LinkIdentified& link, double health_in3_per_psi, Verdict& verdi
 
 MovingDiagnosis::MovingDiagnosis(const ExcavatorParameters& parameters, double period_s, std::uint64_t seed,
                                  const std::string& name)
-    : search_(
+    : links_(parameters.links),
+      search_(
           recognised(parameters), period_s, [](std::size_t links) { return whole_way(links); }, seed, name + "/moving/",
           most_samples) {}
 
@@ -80,24 +94,24 @@ void MovingDiagnosis::go_on_from(MovingDiagnosisState state) {
     combine();
 }
 
-std::size_t MovingDiagnosis::take(const ValveReading& sample, double time_s) {
+std::size_t MovingDiagnosis::take(const NewestSample& newest) {
     std::size_t generations = 0;
-    const std::vector<LinkSet> made = search_.take(sample, time_s);
+    const std::vector<LinkSet> made = search_.take(newest_reading(newest.tracks, links_), newest.time_s);
     for (LinkSet set : made) {
-        note_round(set, time_s);
+        note_round(set, newest.time_s);
         generations += whole_way(set.size()).way.search.window.trials;
     }
     if (!made.empty())
         combine();
+    judgements_.changed |= generations > 0;
     return generations;
 }
 
 void MovingDiagnosis::note_impossible(Link link) {
     impossible_[index_of(link)] = search_.readings();
-    restart();
+    search_.restart();
+    judgements_.changed = true;
 }
-
-void MovingDiagnosis::restart() { search_.restart(); }
 
 void MovingDiagnosis::note_round(LinkSet set, double time_s) {
     const SetAnswer answer = search_of(set).answer_so_far();
@@ -120,7 +134,7 @@ void MovingDiagnosis::combine() {
     combined_ = combined_links(answers);
 }
 
-LinkSet MovingDiagnosis::driven() const {
+LinkSet MovingDiagnosis::active() const {
     LinkSet driven;
     for (LinkSet set : search_.in_use())
         for (Link link : links_of(set))

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "identification/on_line/alarm.hpp"
-#include "identification/on_line/excavator_parameters.hpp"
-#include "identification/on_line/link_estimate.hpp"
+#include "identification/on_line/diagnosis_way.hpp"
 #include "identification/on_line/moving_search.hpp"
 
 #include <cstddef>
@@ -19,7 +17,7 @@ namespace placedpar::identification {
 /// round of generations of a set, its links are judged by cross-checks 1 and 2 of thesis 3.3. Compliances of one link
 /// from different sets must agree. If all links that one pump feeds have the same fault, the fault is in a part that
 /// they share.
-class MovingDiagnosis {
+class MovingDiagnosis : public DiagnosisWay {
 public:
     /// The number of samples that the search of a set keeps. With fewer samples the answers are less certain. With more
     /// samples a fault is found later, and a round takes longer.
@@ -45,22 +43,28 @@ public:
     /// Continues from a saved state. REQUIRES: the state is of an object that was constructed with the same arguments.
     void go_on_from(MovingDiagnosisState state);
 
-    /// Takes the next sample, and returns the number of generations made.
-    std::size_t take(const hydraulics::ValveReading& sample, double time_s);
-    /// Forgets the last samples after a gap, but keeps estimates and populations.
-    void restart();
-    /// Records an impossible reading of the link, and forgets the last samples, because they may contain the reading.
-    void note_impossible(hydraulics::Link link);
-
-    hydraulics::Configuration configuration() const { return search_.configuration(); }
+    std::optional<hydraulics::Configuration> configuration() const override { return search_.configuration(); }
     /// Returns the links into which oil flowed at the last sample.
-    hydraulics::LinkSet driven() const;
-    /// Returns the estimates of the set; nullopt before the set's first round of generations.
-    std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const;
+    hydraulics::LinkSet active() const override;
+    hydraulics::LinkSet read_links() const override { return hydraulics::LinkSet::all(); }
+    std::size_t take(const NewestSample& newest) override;
+    /// Forgets the last samples after a gap, but keeps estimates and populations.
+    void restart(const hydraulics::PerLink<double>&) override { search_.restart(); }
+    /// Records an impossible reading of the link, and forgets the last samples, because they may contain the reading.
+    void note_impossible(hydraulics::Link link) override;
+    std::optional<SetEstimates> estimates(hydraulics::LinkSet set) const override;
     /// Returns the verdict on the link: sound, a changed compliance, or impossible readings. With fewer than
     /// `fewest_rounds` rounds the verdict is `not_enough_evidence`. If the sets disagree, or if the compliance is
     /// uncertain or least squares does not confirm it, the verdict is `cannot_tell`.
-    LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const;
+    LinkVerdict verdict(hydraulics::Link link, double health_in3_per_psi) const override;
+    /// Returns the healthy compliance: no link has a baseline of its own.
+    double baseline_in3_per_psi(hydraulics::Link, double health_in3_per_psi) const override {
+        return health_in3_per_psi;
+    }
+    /// An alarm stays until the link is found sound, or has another fault.
+    bool keeps_alarm(VerdictKind kind) const override {
+        return kind == VerdictKind::not_enough_evidence || kind == VerdictKind::cannot_tell;
+    }
 
 private:
     const SetSearch& search_of(hydraulics::LinkSet set) const { return search_.searches().at(set); }
@@ -68,6 +72,7 @@ private:
     void combine();
     std::size_t rounds_with(hydraulics::Link) const;
 
+    hydraulics::PerLink<hydraulics::LinkConstants> links_;
     MovingSearch search_;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates_;
     hydraulics::PerLink<std::optional<std::size_t>> impossible_{}; ///< as in MovingDiagnosisState

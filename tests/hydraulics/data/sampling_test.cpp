@@ -60,6 +60,13 @@ TEST_CASE("a sample averages all its readings at their middle time; a voltage ho
     CHECK(print_sampling(Sampling::of(0.001)) == "1 kHz averaged to 50 Hz, 20 readings each");
 }
 
+TEST_CASE("a sample has the configuration at the middle of its readings") {
+    Record record = counted_record(12, 0.005);
+    CHECK(averaged(record, Sampling::of(0.005)).configuration.empty());
+    record.configuration = "aaddddeeeead";
+    CHECK(averaged(record, Sampling::of(0.005)).configuration == "dea");
+}
+
 TEST_CASE("no sample reaches over a gap") {
     Record record = counted_record(10, 0.005);
     for (std::size_t i = 5; i < 10; ++i)

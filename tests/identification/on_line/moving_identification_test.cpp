@@ -18,12 +18,14 @@ using namespace placedpar::identification;
 
 namespace {
 
-Record dug(std::uint64_t seed, const MeasurementNoise& noise, double boom_factor = 1) {
+/// Simulates the seed's job, which is the same for each period of the readings.
+Record dug(std::uint64_t seed, const MeasurementNoise& noise, double boom_factor = 1, double period_s = 0.02) {
     Parameters parameters = Parameters::excavator();
     parameters.set("boom.inlet_compliance", boom_factor * parameters["boom.inlet_compliance"]);
-    const MovingExcavator machine = moving_excavator(parameters);
+    const DigJob job = random_job(seed, moving_excavator(parameters), 60);
+    parameters.set("sensors.period", period_s);
     RandomStream random(seed, "sensors");
-    return measure_moving(machine, random_job(seed, machine, 60), noise, [&] { return random.uniform(); });
+    return measure_moving(moving_excavator(parameters), job, noise, [&] { return random.uniform(); });
 }
 
 MovingIdentification identified(const Record& record, std::uint64_t seed = 1) {
@@ -54,7 +56,33 @@ Outcome outcome(const MeasurementNoise& noise, std::uint64_t first, std::uint64_
     return all;
 }
 
+/// Returns how often the configurations of twelve jobs are recognised in readings this far apart.
+Recognition recognised(double period_s) {
+    Recognition all;
+    for (std::uint64_t seed = 400; seed < 412; ++seed)
+        try {
+            const Recognition one = identified(dug(seed, low_noise, 1, period_s)).recognition();
+            all.judged += one.judged;
+            all.right += one.right;
+            all.changes += one.changes;
+            all.soon += one.soon;
+        } catch (const UnfitScenario&) { // the soil lifts a load
+        }
+    return all;
+}
+
+double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
 } // namespace
+
+TEST_CASE("configurations are recognised in readings at 200 Hz as well as at 50 Hz") {
+    const Recognition usual = recognised(0.02), quick = recognised(0.005);
+    CHECK(usual.changes > 100);
+    CHECK(share(quick.judged, usual.judged) == doctest::Approx(1).epsilon(0.001));
+    constexpr double chance = 0.02; // in a single interval of several seconds, noise decides; it is 1 % of all samples
+    CHECK(share(quick.right, quick.judged) > share(usual.right, usual.judged) - chance);
+    CHECK(share(quick.soon, quick.changes) > share(usual.soon, usual.changes) - chance);
+}
 
 TEST_CASE("the compliances of a machine that digs are found within 10 %, or flagged") {
     for (const MeasurementNoise& noise : {no_noise, low_noise, mid_noise}) {
