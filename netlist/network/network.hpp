@@ -117,6 +117,9 @@ struct LinkConnection {
                                          ///< the master reaches over the bus
     bool at_run_time = false; ///< a program makes the connection during the run, by setting switches; several such
                               ///< connections may have the same links
+    /// Names by which the option --set changes its speed: the names of its wires that state a speed, or of its first
+    /// wire if none does. Wires without a name are "wire[0]", "wire[1]" ... in the order of the netlist.
+    std::vector<std::string> names_for_set = {};
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };
