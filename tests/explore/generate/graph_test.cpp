@@ -156,6 +156,20 @@ TEST_CASE("a node of more than four edges is refused by name, or split") {
     CHECK(wire_between(network, "t[0]", "t[6]").metres == 0);
 }
 
+TEST_CASE("an error in a graph is shown in the line of the wrong word") {
+    const auto line_of = [](const std::string& text) {
+        const std::string refusal = refusal_of(dot_of, text);
+        return refusal.substr(0, refusal.find(": error"));
+    };
+    CHECK(line_of("graph {\n  a -- b;\n  b -- c\n  ] ;\n}\n") == "graph:4:1");
+    CHECK(line_of("graph {\n  a [colour=\n]\n;\n}\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  a [\n=\n]\n}\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  a\n-> b\n}\n") == "graph:3:1");
+    CHECK(line_of("chart\n\n{ }") == "graph:1:1");
+    CHECK(line_of("graph { }\n\n}\n\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  \"a\n\n") == "graph:2:1");
+}
+
 TEST_CASE("two edges between two nodes are two wires for one channel in each direction") {
     const Network network = network_of_text("graph { a -- b; a -- b; b -- c }");
     CHECK(std::ranges::count_if(network.connections, [&](const LinkConnection& wire) {
