@@ -7,6 +7,9 @@ namespace placedpar {
 /// Chooses the way of identification (IdentifySettings::way) if none was given. Throws UserError for numbers out of
 /// range, and for settings that have no effect with the way.
 void settle_way(IdentifySettings&);
+/// Returns the option with the way, for messages: "--way whole"; for a default, "--way service (the default)".
+/// REQUIRES: settle_way() has chosen the way.
+std::string shown_way(const IdentifySettings&);
 
 /// Evaluates a record in the way that the settings name. Throws RefusedInput, UserError or UnfitRecord. REQUIRES:
 /// settle_way() has chosen the way.
