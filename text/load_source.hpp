@@ -25,6 +25,8 @@ LoadedSource load_source(const std::filesystem::path& path);
 /// Does what load_source() does, but "-" is standard input (text/standard_streams.hpp). Standard input is read once;
 /// later calls return the same text.
 LoadedSource load_input(const std::filesystem::path& path);
+/// Loads the input that shown_input() shows as this text, such as the source path of a network.
+LoadedSource load_shown_input(const std::string& shown_path);
 /// Checks a text in memory, or a piece of a text, as load_source() checks a file.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);
 /// Returns "" if the path can be opened as a file or a pipe, else the reason why it cannot.
