@@ -277,7 +277,8 @@ int carry_out(Program program, int argc, char** argv, const std::function<void()
     declare_all(app, program.commands, typed(argc, argv), chosen);
     app.set_version_flag("-v,-V,--version", version_of_program());
     app.footer( // set last: a new subcommand inherits the footer that its parent has
-        "The file name - stands for standard input or standard output.\nexit codes: 0 success, 1 wrong use or "
+        "The file name - stands for standard input, if a command reads it, or for standard output.\nexit codes: 0 "
+        "success, 1 wrong use or "
         "bad input, 2 deadlock, 3 a comparison missed its tolerance,\n            70 a defect of PlacedPar, 130 "
         "interrupted");
     try {

@@ -16,6 +16,7 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -25,7 +26,7 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::string_view checkpoint_format = "checkpoint 1"; ///< changes whenever the format of the file changes
+constexpr std::string_view checkpoint_format = "checkpoint 2"; ///< changes whenever the format of the file changes
 
 /// Numbers are stored as their bits, so that they are read back exactly.
 json::object json_of(const Individual& individual) {
@@ -42,12 +43,27 @@ json::object json_of(const SearchCheckpoint& checkpoint) {
     json::array population;
     for (const Genome& genome : checkpoint.search.population)
         population.emplace_back(genome.to_string());
-    return {{"redraws", checkpoint.search.redraws},
-            {"drawn", checkpoint.search.drawn},
-            {"populations", checkpoint.populations},
-            {"best", json_of(checkpoint.best)},
-            {"last_best", json_of(checkpoint.search.best.value())},
+    json::array improvements;
+    for (const Improvement& each : checkpoint.improvements)
+        improvements.push_back(
+            {{"generation", each.generation}, {"fitness_bits", std::bit_cast<std::uint64_t>(each.fitness)}});
+    return {{"redraws", checkpoint.search.redraws},    {"drawn", checkpoint.search.drawn},
+            {"populations", checkpoint.populations},   {"best", json_of(checkpoint.best)},
+            {"improvements", std::move(improvements)}, {"last_best", json_of(checkpoint.search.best.value())},
             {"population", std::move(population)}};
+}
+
+/// Returns the improvements up to the generation of the checkpoint. Throws std::out_of_range if the generations are not
+/// in order.
+std::vector<Improvement> improvements_from(const json::value& value, std::uint64_t generation) {
+    std::vector<Improvement> improvements;
+    for (const json::value& each : value.as_array()) {
+        const auto number = each.at("generation").to_number<std::uint64_t>();
+        if (number > generation || number <= (improvements.empty() ? 0 : improvements.back().generation))
+            throw std::out_of_range("an improvement");
+        improvements.push_back({number, std::bit_cast<double>(each.at("fitness_bits").to_number<std::uint64_t>())});
+    }
+    return improvements;
 }
 
 SearchCheckpoint checkpoint_from(const json::value& value, std::uint64_t generation) {
@@ -60,6 +76,7 @@ SearchCheckpoint checkpoint_from(const json::value& value, std::uint64_t generat
         checkpoint.search.population.push_back(Genome::from_string(json::value_to<std::string>(genome)));
     checkpoint.populations = value.at("populations").to_number<std::uint64_t>();
     checkpoint.best = individual_from(value.at("best"));
+    checkpoint.improvements = improvements_from(value.at("improvements"), generation);
     return checkpoint;
 }
 
@@ -169,8 +186,10 @@ void CheckpointFile::require_same_run(const json::value& file) const {
 }
 
 void CheckpointFile::take(const json::value& file) {
-    if (json::value_to<std::string>(file.at("placedpar")) != checkpoint_format)
-        refuse_file("another version of PlacedPar wrote it");
+    if (const auto format = json::value_to<std::string>(file.at("placedpar")); format != checkpoint_format)
+        throw UserError(fmt::format("{}: another version of PlacedPar wrote this checkpoint, in the format \"{}\" "
+                                    "(expected \"{}\"): continue with that version, or delete the file to begin anew",
+                                    path_.string(), format, checkpoint_format));
     require_same_run(file);
     begin_ = file.at("generation").to_number<std::uint64_t>();
     if (begin_ == 0)

@@ -22,7 +22,7 @@ std::string text_between(const SourceFile& file, const Token& first, const Token
 
 /// Adds the constants (`val`) of a file that are outside of blocks; options cannot set other constants.
 void add_vals(Vals& vals, const std::string& path) {
-    const std::shared_ptr<const SourceFile> file = load_source(path).file;
+    const std::shared_ptr<const SourceFile> file = load_shown_input(path).file;
     const std::vector<Token> tokens = tokens_of(file);
     std::size_t depth = 0;
     for (auto token = tokens.begin(); token != tokens.end(); ++token) {

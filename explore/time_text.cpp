@@ -38,6 +38,11 @@ std::optional<TimeText> split(const std::string& text) {
     return TimeText{parts[1], parts[2], parts[4], parts.length(3) == 0 ? 0 : std::stoi(parts[3])};
 }
 
+bool is_time(const std::string& text) {
+    const std::optional<TimeText> parts = split(text);
+    return parts && power_of(parts->unit);
+}
+
 /// Returns the digits of the time in picoseconds. Throws UserError if the time is not a whole number of picoseconds.
 std::string picoseconds(const std::string& text, const TimeText& parts, int power) {
     std::string digits = parts.whole + parts.fraction;
@@ -57,6 +62,8 @@ Time parse_time(const std::string& text) {
     bool is_nothing =
         parts && parts->unit.empty() && (parts->whole + parts->fraction).find_first_not_of('0') == text.npos;
     std::optional<int> power = is_nothing ? 0 : parts ? power_of(parts->unit) : std::nullopt;
+    if (!power && text.starts_with('-') && is_time(text.substr(1)))
+        throw UserError(fmt::format("\"{}\" is negative: expected a time of at least 0, such as 2.5ms", text));
     if (!power)
         throw UserError(fmt::format(
             "\"{}\" is not a time: expected a number and one of the units s, ms, us, ns or ps, such as 2.5ms", text));

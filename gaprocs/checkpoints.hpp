@@ -5,14 +5,24 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace placedpar {
+
+/// A generation in which the fittest individual of all generations so far changed.
+struct Improvement {
+    std::uint64_t generation = 0;
+    double fitness = 0;
+
+    friend bool operator==(const Improvement&, const Improvement&) = default;
+};
 
 /// The state from which a search process continues after a generation.
 struct SearchCheckpoint {
     SearchState search;
-    std::uint64_t populations = 0; ///< hash of all populations up to this generation
-    Individual best;               ///< fittest individual up to this generation
+    std::uint64_t populations = 0;         ///< hash of all generations so far
+    Individual best;                       ///< fittest of all generations so far
+    std::vector<Improvement> improvements; ///< from the first generation to the one that had `best`
 
     friend bool operator==(const SearchCheckpoint&, const SearchCheckpoint&) = default;
 };

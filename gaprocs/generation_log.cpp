@@ -1,6 +1,5 @@
 #include "gaprocs/generation_log.hpp"
 
-#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/objective.hpp"
 #include "gaprocs/policies/individual.hpp"
 
@@ -58,12 +57,12 @@ void add_rows_of_all(std::vector<LogRow>& rows, std::uint64_t generation, const 
 
 GenerationLog::GenerationLog(std::vector<std::string> searches, bool comparable)
     : searches_(std::move(searches)), compared_(comparable && searches_.size() > 1), goals_(searches_.size()),
-      best_earlier_(searches_.size()), generations_(searches_.size()) {}
+      earlier_(searches_.size()), generations_(searches_.size()) {}
 
 void GenerationLog::continue_from(const Checkpoints& checkpoints) {
     for (std::size_t i = 0; i < searches_.size(); ++i)
         if (const SearchCheckpoint* begin = checkpoints.begin_of(searches_[i]))
-            best_earlier_[i] = begin->best.fitness;
+            earlier_[i] = begin->improvements;
 }
 
 std::size_t GenerationLog::number_of(std::string_view search) const {
@@ -96,10 +95,34 @@ LoggedGeneration GenerationLog::found_in(const ObservedGeneration& generation, s
     double best_so_far = best;
     if (!before.empty())
         best_so_far = better(search, before.back().best_so_far, best);
-    else if (const std::optional<double> earlier = best_earlier_[search])
-        best_so_far = better(search, in_its_own_sign(*earlier, generation.goal), best);
+    else if (!earlier_[search].empty())
+        best_so_far = better(search, in_its_own_sign(earlier_[search].back().fitness, generation.goal), best);
     return {generation.time, best_so_far, best, in_its_own_sign(mean_of(generation.fitness), generation.goal),
             diversity_within(spread)};
+}
+
+std::vector<LoggedStep> GenerationLog::steps_of(std::size_t search) const {
+    std::vector<LoggedStep> steps;
+    for (const Improvement& each : earlier_.at(search))
+        steps.push_back({each.generation, in_its_own_sign(each.fitness, goals_[search])});
+    for (std::size_t i = 0; i < generations_.at(search).size(); ++i)
+        if (const double value = generations_[search][i].best_so_far; steps.empty() || value != steps.back().value)
+            steps.push_back({first_ + i, value});
+    return steps;
+}
+
+std::vector<LoggedStep> GenerationLog::steps_of_all() const {
+    std::map<std::uint64_t, double> best; // of the searches that made a step in the generation
+    for (std::size_t search = 0; search < searches_.size(); ++search)
+        for (const auto& [generation, value] : steps_of(search))
+            if (const auto [known, is_new] = best.emplace(generation, value); !is_new)
+                known->second = better(0, known->second, value);
+    std::vector<LoggedStep> steps;
+    for (const auto& [generation, value] : best)
+        if (generation < first_ + all_.size() &&
+            (steps.empty() || better(0, steps.back().value, value) != steps.back().value))
+            steps.push_back({generation, value});
+    return steps;
 }
 
 void GenerationLog::observe(const ObservedMigration& migration) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/diversity.hpp"
 #include "gaprocs/search_observer.hpp"
 
@@ -31,6 +32,14 @@ struct LoggedGeneration {
                         ///< searches together
 
     friend bool operator==(const LoggedGeneration&, const LoggedGeneration&) = default;
+};
+
+/// A generation in which the best value so far became better, with this value.
+struct LoggedStep {
+    std::uint64_t generation;
+    double value; ///< as LoggedGeneration::best_so_far
+
+    friend bool operator==(const LoggedStep&, const LoggedStep&) = default;
 };
 
 struct LoggedMigration {
@@ -71,8 +80,8 @@ public:
     /// problem. If not, the log has no generations of all searches together.
     explicit GenerationLog(std::vector<std::string> searches, bool comparable = true);
 
-    /// Makes best_so_far include the generations before the checkpoints from which the run continues. REQUIRES: no
-    /// generation was observed.
+    /// Makes LoggedGeneration::best_so_far and the steps include the generations before the checkpoints from which the
+    /// run continues. REQUIRES: no generation was observed.
     void continue_from(const Checkpoints&);
 
     /// The three functions observe() throw std::invalid_argument for a search that is not in the log.
@@ -90,6 +99,11 @@ public:
     /// Returns an entry for each generation that all searches have completed. The entry combines the values of all
     /// searches. Empty if compares() is false.
     std::span<const LoggedGeneration> of_all() const { return all_; }
+    /// Returns the steps by which the best value of a search became better. They begin with generation 1, also if the
+    /// search continues from a checkpoint.
+    std::vector<LoggedStep> steps_of(std::size_t search) const;
+    /// Returns the steps of all searches together, up to the last generation of of_all().
+    std::vector<LoggedStep> steps_of_all() const;
     /// Returns the migrations. Migrations to the same search are in the order of arrival.
     std::span<const LoggedMigration> migrations() const { return migrations_; }
     /// Returns the answers. Answers of the same analyst are in the order of the generations.
@@ -124,8 +138,8 @@ private:
     std::vector<std::string> searches_;
     bool compared_;
     std::uint64_t first_ = 1;
-    std::vector<std::optional<Goal>> goals_;          ///< goal of each search
-    std::vector<std::optional<double>> best_earlier_; ///< best fitness of each search before its checkpoint
+    std::vector<std::optional<Goal>> goals_;        ///< goal of each search
+    std::vector<std::vector<Improvement>> earlier_; ///< improvements of each search before its checkpoint
     std::vector<std::vector<LoggedGeneration>> generations_;
     std::vector<LoggedGeneration> all_;
     std::map<std::uint64_t, Row> waiting_; ///< generations that only some searches have completed

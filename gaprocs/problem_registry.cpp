@@ -82,6 +82,9 @@ const RecordedProblem* ProblemRegistry::read(std::string_view name) const {
     const auto reader = readers_.find(name.substr(0, colon));
     if (colon == name.npos || reader == readers_.end())
         return nullptr;
+    if (colon + 1 == name.size())
+        throw UserError(
+            fmt::format("the problem \"{0}\" names no file: expected {0}FILE, {1}", name, reader->second.about));
     auto found = made_.find(name);
     if (found == made_.end())
         found = made_

@@ -19,6 +19,7 @@ SearchProgress::SearchProgress(Search& search, std::string name, Checkpoints* ch
         throw UserError("the best individual of the checkpoint does not belong to this search");
     populations_ = Fingerprint(begin->populations);
     best_ = begin->best;
+    improvements_ = begin->improvements;
 }
 
 void SearchProgress::require_passed(const Search& search) const {
@@ -38,12 +39,13 @@ bool SearchProgress::note_best(const Search& search) {
     if (best_ && search.best().fitness <= best_->fitness)
         return false;
     best_ = search.best();
+    improvements_.push_back({search.generation(), best_->fitness});
     return true;
 }
 
 void SearchProgress::keep(const Search& search) const {
     if (checkpoints_ && checkpoints_->is_due(search.generation()))
-        checkpoints_->keep(name_, {search.state(), populations_.value(), *best_});
+        checkpoints_->keep(name_, {search.state(), populations_.value(), *best_, improvements_});
 }
 
 } // namespace placedpar

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace placedpar {
 
@@ -42,6 +43,7 @@ private:
     Checkpoints* checkpoints_;
     std::uint64_t to_pass_over_ = 0; ///< number of generations still to be skipped
     std::optional<Individual> best_;
+    std::vector<Improvement> improvements_;
     Fingerprint populations_;
 };
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <vector>
@@ -22,28 +21,28 @@ struct SearchSummary {
     std::string process;
     std::size_t generations;
     LoggedGeneration first, last;
-    std::uint64_t nearly_there; ///< first generation in which the best so far had made 99 % of its progress in the run
+    std::uint64_t nearly_there; ///< first generation in which the best so far had made 99 % of its progress
     std::size_t accepted = 0, turned_away = 0;
     bool of_all = false;
 };
 
-bool is_finite(const LoggedGeneration& generation) { return std::isfinite(generation.best_so_far); }
+bool is_finite(const LoggedStep& step) { return std::isfinite(step.value); }
 
-std::uint64_t generation_nearly_there(std::span<const LoggedGeneration> generations, std::uint64_t first_number) {
-    auto begin = std::ranges::find_if(generations, &is_finite);
-    if (begin == generations.end())
-        return first_number;
-    double first = begin->best_so_far, last = generations.back().best_so_far;
-    auto there = std::find_if(begin, generations.end(), [&](const LoggedGeneration& each) {
-        return std::abs(last - each.best_so_far) <= 0.01 * std::abs(last - first);
-    });
-    return first_number + static_cast<std::uint64_t>(there - generations.begin());
+/// REQUIRES: there is a step.
+std::uint64_t generation_nearly_there(const std::vector<LoggedStep>& steps) {
+    const auto begin = std::ranges::find_if(steps, is_finite);
+    if (begin == steps.end())
+        return steps.front().generation;
+    const double first = begin->value, last = steps.back().value;
+    return std::find_if(
+               begin, steps.end(),
+               [&](const LoggedStep& each) { return std::abs(last - each.value) <= 0.01 * std::abs(last - first); })
+        ->generation;
 }
 
 SearchSummary summary_of(const std::string& name, std::span<const LoggedGeneration> generations,
-                         std::uint64_t first_number) {
-    return {name, generations.size(), generations.front(), generations.back(),
-            generation_nearly_there(generations, first_number)};
+                         const std::vector<LoggedStep>& steps) {
+    return {name, generations.size(), generations.front(), generations.back(), generation_nearly_there(steps)};
 }
 
 void count_immigrants(const GenerationLog& log, std::optional<std::size_t> search, SearchSummary& summary) {
@@ -56,38 +55,33 @@ std::vector<SearchSummary> summaries_of(const GenerationLog& log) {
     std::vector<SearchSummary> summaries;
     for (std::size_t i = 0; i < log.searches().size(); ++i)
         if (!log.of(i).empty()) {
-            summaries.push_back(summary_of(log.searches()[i], log.of(i), log.first()));
+            summaries.push_back(summary_of(log.searches()[i], log.of(i), log.steps_of(i)));
             count_immigrants(log, i, summaries.back());
         }
     if (!log.of_all().empty()) {
-        summaries.push_back(summary_of("all", log.of_all(), log.first()));
+        summaries.push_back(summary_of("all", log.of_all(), log.steps_of_all()));
         count_immigrants(log, std::nullopt, summaries.back());
         summaries.back().of_all = true;
     }
     return summaries;
 }
 
-std::string print_between(const SearchSummary& all) {
-    return fmt::format("diversity between searches: {:.4f} in the first generation, {:.4f} in the last\n",
-                       all.first.between, all.last.between);
+std::string print_between(const SearchSummary& all, std::uint64_t first) {
+    return fmt::format("diversity between searches: {:.4f} in {}, {:.4f} in the last\n", all.first.between,
+                       first == 1 ? "the first generation" : fmt::format("generation {}", first), all.last.between);
 }
 
 /// Says which search first found the best value of an objective. Values of searches with records are not compared,
 /// since their windows may differ.
 std::string print_finder(const GenerationLog& log) {
-    if (!log.compares() || !log.has_objective(0) || log.of_all().empty() || !is_finite(log.of_all().back()))
+    if (!log.compares() || !log.has_objective(0) || log.of_all().empty() || !is_finite(log.steps_of_all().back()))
         return "";
-    const double best = log.of_all().back().best_so_far;
-    std::size_t finder = 0, earliest = std::numeric_limits<std::size_t>::max();
-    for (std::size_t search = 0; search < log.searches().size(); ++search) {
-        const auto found = std::ranges::find(log.of(search), best, &LoggedGeneration::best_so_far);
-        const auto generation = static_cast<std::size_t>(found - log.of(search).begin());
-        if (found != log.of(search).end() && generation < earliest)
-            finder = search, earliest = generation;
-    }
-    const bool is_earlier = earliest == 0 && log.of(finder).front().best != best;
-    return fmt::format("best of all: {:.6g}, first found by {} {} generation {}\n", best, log.searches()[finder],
-                       is_earlier ? "before" : "in", log.first() + earliest);
+    const LoggedStep best = log.steps_of_all().back();
+    std::size_t finder = 0;
+    while (std::ranges::count(log.steps_of(finder), best) == 0)
+        ++finder;
+    return fmt::format("best of all: {:.6g}, first found by {} in generation {}\n", best.value, log.searches()[finder],
+                       best.generation);
 }
 
 /// Returns the median of a figure over several runs, and its quartiles: "120 [100, 131]".
@@ -157,7 +151,9 @@ std::string print_searches(const GenerationLog& log) {
     if (rows.empty())
         return "";
     std::string out = table_of(rows, row_of).text("\n");
-    return rows.back().of_all ? out + print_between(rows.back()) + print_finder(log) : out;
+    if (log.first() > 1)
+        out += fmt::format("this run continues from a checkpoint: \"first\" is generation {}\n", log.first());
+    return rows.back().of_all ? out + print_between(rows.back(), log.first()) + print_finder(log) : out;
 }
 
 std::string print_searches(std::span<const SeededLog> logs) {

@@ -161,4 +161,8 @@ LoadedSource load_input(const std::filesystem::path& path) {
     return standard_input;
 }
 
+LoadedSource load_shown_input(const std::string& shown_path) {
+    return load_input(shown_path == shown_input("-") ? "-" : shown_path);
+}
+
 } // namespace placedpar

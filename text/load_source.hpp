@@ -26,6 +26,8 @@ LoadedSource load_source(const std::filesystem::path& path);
 /// Reads a file as load_source() does; the path "-" means standard input (text/standard_streams.hpp). Standard input is
 /// read once; later calls return the text of the first call.
 LoadedSource load_input(const std::filesystem::path& path);
+/// Loads the input that shown_input() shows as this text, such as the source path of a network.
+LoadedSource load_shown_input(const std::string& shown_path);
 /// Checks a text in memory as load_source() checks a file. `first_line` is above 1 if the text is a later piece of a
 /// longer text.
 LoadedSource check_source(std::string shown_path, std::string text, std::size_t first_line = 1);

@@ -76,7 +76,7 @@ std::vector<std::string> names_of_models() {
 
 Action declare_disassemble(Options& command, const std::string&) {
     auto options = std::make_shared<DisassembleOptions>();
-    command.add("FILE", options->file, "a bootable file: .btl, .b4h, .b8h").required().check(not_a_name);
+    command.add("FILE", options->file, "a bootable file: .btl, .b4h, .b8h").required().check(not_a_named_file);
     command.add("--processor", options->processor, "type of the transputer that the code is for")
         .one_of(names_of_models())
         .show_default();

@@ -29,9 +29,9 @@ namespace {
 /// Throws UserError if --on names a netlist, but simulated transputers cannot make the search that --way selects.
 void require_way_of_netlist(const IdentifyOptions& options) {
     if (!options.netlist.empty() && options.way != "thesis")
-        throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; --way {} runs "
-                                    "on this computer",
-                                    options.way));
+        throw UserError(fmt::format("--on works only with --way thesis, whose search a netlist can run; {} runs on "
+                                    "this computer",
+                                    shown_way(options)));
 }
 
 void require_files(const IdentifyOptions& options) {
@@ -51,6 +51,10 @@ void require_files(const IdentifyOptions& options) {
 /// Throws UserError if the options do not fit the number of records.
 void require_number_of_records(const IdentifyOptions& options) {
     const bool many = options.records.size() > 1;
+    if (many && options.side == "outlet")
+        throw UserError(fmt::format("{} records are given, but --side outlet takes one record; several records need "
+                                    "--side inlet and --way service, which shows their trend",
+                                    options.records.size()));
     if (many && options.way != "service")
         throw UserError(fmt::format("{} records are given, but --way {} takes one record; several records need --way "
                                     "service, which shows their trend",

@@ -283,7 +283,7 @@ void add_search_size(Options& command, OptimiseOptions& options) {
 
 Action declare_optimise(Options& command, const std::string&) {
     auto options = std::make_shared<OptimiseOptions>();
-    command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_name);
+    command.add("STUDY", options->study, "a study (.toml) with a table [search]").required().check(not_a_named_file);
     add_search_size(command, *options);
     command.add_list(
         "--price", options->price, "PART=PRICE",

@@ -108,7 +108,7 @@ Action declare_report(Options& command, const std::string&) {
     auto options = std::make_shared<ReportOptions>();
     command.add("STUDY", options->study, "a results file (.sqlite), or the study or netlist whose sweep made this file")
         .required()
-        .check(not_a_name);
+        .check(not_a_named_file);
     command.add_list("--measure", options->measures, "MEASURE",
                      "a measure to show instead of the sweep's measures; no new runs are needed; may be repeated");
     command.add_list("--relative-to", options->relative_to, "NAME=VALUE",

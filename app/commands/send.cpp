@@ -158,7 +158,7 @@ ExitCode send(const SendOptions& options, const Options& typed) {
 
 Action declare_send(Options& command, const std::string&) {
     auto options = std::make_shared<SendOptions>();
-    command.add("FILE", options->file, "a bootable file").required().check(not_a_name);
+    command.add("FILE", options->file, "a bootable file").required().check(not_a_named_file);
     command.add("--to", options->to, "a character device, or tcp:HOST:PORT for a link adapter on a network")
         .type("BOARD")
         .required()

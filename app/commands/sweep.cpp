@@ -17,6 +17,7 @@
 #include "text/counted.hpp"
 #include "text/nearest.hpp"
 #include "text/output_file.hpp"
+#include "text/standard_streams.hpp"
 #include "text/user_error.hpp"
 
 #include <fmt/format.h>
@@ -117,6 +118,8 @@ void require_reference_run(const Study& study) {
 }
 
 std::filesystem::path results_of(const SweepOptions& options) {
+    if (options.results.empty() && is_standard_stream(options.study))
+        throw UserError("a netlist from standard input gives the results no name: add --results FILE.sqlite");
     return options.results.empty() ? std::filesystem::path(options.study).stem().string() + ".sqlite" : options.results;
 }
 
@@ -210,6 +213,7 @@ ExitCode help(Ranks& ranks, const SweepOptions& options) {
 
 /// Makes the sweep, with the help of other ranks if this is rank 0 of several.
 ExitCode sweep(const SweepOptions& options, RankZero* others) {
+    const std::filesystem::path path = results_of(options);
     Study study = study_of(options);
     for (const std::string& measure : study.measures)
         StudyMeasure{measure};
@@ -218,7 +222,7 @@ ExitCode sweep(const SweepOptions& options, RankZero* others) {
     require_possible(study.measures, study, network);
     if (!study.tables.empty())
         require_possible(study.figures, study, network);
-    StudyResults results(results_of(options), source_of(study, network), options.any_version);
+    StudyResults results(path, source_of(study, network), options.any_version);
     InterruptedBySignals interruption;
     results.set_measures(study.measures);
     bool whole = make_missing_runs(study, options, results, interruption, others);
@@ -259,7 +263,9 @@ void add_size(Options& command, SweepOptions& options) {
 
 Action declare_sweep(Options& command, const std::string&) {
     auto options = std::make_shared<SweepOptions>();
-    command.add("STUDY", options->study, "a netlist (.cfs), or a study that names one (.toml)")
+    command
+        .add("STUDY", options->study,
+             "a netlist (.cfs), or a study that names one (.toml); - reads a netlist from standard input")
         .required()
         .check(not_a_name);
     command

@@ -1,6 +1,7 @@
 #include "app/options/common_options.hpp"
 
 #include "text/number.hpp"
+#include "text/standard_streams.hpp"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,11 @@ std::string not_at_least_one(const std::string& text) { return text == "0" ? "ex
 
 std::string not_a_name(const std::string& text) {
     return text.empty() ? "the name is empty; expected a file name" : "";
+}
+
+std::string not_a_named_file(const std::string& text) {
+    return is_standard_stream(text) ? "this command does not read standard input; expected the name of a file"
+                                    : not_a_name(text);
 }
 
 void add_seed(Options& command, std::uint64_t& seed, const std::string& about) {

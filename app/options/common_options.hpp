@@ -15,6 +15,8 @@ std::string not_a_whole_number(const std::string& text);
 std::string not_a_number_within(const std::string& text, std::uint64_t least, std::uint64_t most);
 std::string not_at_least_one(const std::string& text); ///< checks a whole number
 std::string not_a_name(const std::string& text);       ///< checks a name, which cannot be ""
+/// Does what not_a_name() does, and refuses "-", too: for commands that do not read standard input.
+std::string not_a_named_file(const std::string& text);
 
 /// Declares --seed, with `about` as its text in help.
 void add_seed(Options& command, std::uint64_t& seed,

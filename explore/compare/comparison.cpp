@@ -69,6 +69,18 @@ std::string with_section_of(const Network& a, const Network& b, Section section)
     return fmt::format("{}", fmt::join(sections, ""));
 }
 
+/// Returns the first line of a refusal. If it begins with a place in network A as print_cfs() wrote it, returns the
+/// message without this place, since the user has never seen this text.
+std::string first_line_of(const UserError& refused, const std::string& path, bool is_written) {
+    const std::string text = unpainted(refused.what());
+    const std::string line = text.substr(0, text.find('\n'));
+    constexpr std::string_view error = ": error: ";
+    const std::size_t message = line.find(error, path.size());
+    if (!is_written || !line.starts_with(path + ":") || message == line.npos)
+        return line;
+    return "this does not fit the rest of A: " + line.substr(message + error.size());
+}
+
 class Comparing {
 public:
     Comparing(const ComparedRun& a, const ComparedRun& b, const Interruption& interruption,
@@ -93,6 +105,7 @@ private:
         OneChange* change;
         std::function<Network()> read;
         ComparedRun run;
+        bool is_written = true; ///< print_cfs() wrote the text that is read
     };
 
     void run_both() {
@@ -182,10 +195,11 @@ private:
         std::vector<Attempt> attempts;
         result_.alone.reserve(result_.settings.size() + result_.structure.size() + 3); // attempts point to elements
         for (const SettingDifference& each : result_.settings)
-            if (each.elements.empty())
+            if (each.elements.empty()) {
                 add(attempts, what_of(each), each.set,
                     [this, &each] { return load_silently(a_.parsed, with(each.set)); });
-            else if (const SettingDifference own = within_a(each); !own.elements.empty())
+                attempts.back().is_written = false;
+            } else if (const SettingDifference own = within_a(each); !own.elements.empty())
                 add(attempts, what_of(own), own.set, [this, set = own.set] { return with_settings(result_.a, set); });
         for (const StructureDifference& each : result_.structure)
             if (!result_.following.contains(each.section))
@@ -244,14 +258,13 @@ private:
             interruption_, [&](std::size_t done) { progress_(done, attempts.size()); });
     }
 
-    static void run(Attempt& attempt, Interruption& interruption) {
+    void run(Attempt& attempt, Interruption& interruption) const {
         try {
             const RunReport report = report_of(attempt.run, attempt.read(), interruption);
             attempt.change->outcome = report.outcome();
             attempt.change->time = report.result.time;
         } catch (const UserError& refused) {
-            const std::string text = unpainted(refused.what());
-            attempt.change->refused = text.substr(0, text.find('\n'));
+            attempt.change->refused = first_line_of(refused, result_.a.source_path, attempt.is_written);
         }
     }
 

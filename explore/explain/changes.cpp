@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 
 namespace placedpar {
 
@@ -153,58 +154,63 @@ private:
                                 {{memory_cycles, cycles_on_chip}}});
     }
 
-    void add_speeds(Change::Of of, const std::string& what, const std::string& set, std::int64_t speed) {
-        for (const Factor& factor : factors)
-            changes_.push_back({of, what, factor.faster, {{set, faster(speed, factor)}}});
+    static void set_speed(Change& change, const LinkConnection& wire, const Factor& factor) {
+        for (const std::string& name : wire.names_for_set)
+            change.set[name + ".linkspeed"] = faster(wire.bits_per_second, factor);
     }
 
-    /// Returns the wires; each wire has both of its ends as keys.
+    std::span<const LinkConnection> wires() const {
+        return std::span(network_.connections).first(network_.count_wires());
+    }
+
+    /// Returns the wires that are varied alone; each wire has both of its ends as keys. Connections that a program
+    /// makes during the run are left out, since several of them may share a wire.
     std::map<std::string, const LinkConnection*> wires_by_end() const {
-        std::map<std::string, const LinkConnection*> wires;
-        for (std::size_t i = 0; i < network_.count_wires(); ++i)
-            wires[link_name(network_.nodes, network_.connections[i].a)] =
-                wires[link_name(network_.nodes, network_.connections[i].b)] = &network_.connections[i];
-        return wires;
-    }
-
-    std::string name_for_set(const LinkConnection& wanted) const {
-        std::size_t without_name = 0;
-        for (const LinkConnection& connection : network_.connections) {
-            if (&connection == &wanted)
-                break;
-            without_name += connection.name.empty();
-        }
-        return wanted.name.empty() ? fmt::format("wire[{}]", without_name) : wanted.name;
-    }
-
-    /// Returns whether links lead through switches. Such a link consists of several wires, so it is varied only
-    /// together with all links.
-    bool switched() const {
-        return std::ranges::any_of(network_.connections,
-                                   [](const auto& each) { return each.at_run_time || !each.crossings.empty(); });
+        std::map<std::string, const LinkConnection*> by_end;
+        for (const LinkConnection& wire : wires())
+            if (!wire.at_run_time)
+                by_end[link_name(network_.nodes, wire.a)] = by_end[link_name(network_.nodes, wire.b)] = &wire;
+        return by_end;
     }
 
     void add_links() {
-        std::set<std::int64_t> speeds;
-        for (std::size_t i = 0; i < network_.count_wires(); ++i)
-            speeds.insert(network_.connections[i].bits_per_second);
-        if (speeds.size() == 1 && network_.count_wires() > 1)
-            add_speeds(Change::Of::all, "all links", "linkspeed", *speeds.begin());
-        if (switched())
-            return;
-        auto wires = wires_by_end();
+        const auto by_end = wires_by_end();
+        if (!wires().empty() && (wires().size() > 1 || by_end.empty()))
+            add_all_links();
         for (const std::string& from :
              busiest(most_alone_, report_.links, std::mem_fn(&LinkUse::from), std::mem_fn(&LinkUse::occupied)))
-            add_link(*wires.at(from));
+            if (const auto wire = by_end.find(from); wire != by_end.end())
+                add_link(*wire->second);
+    }
+
+    /// Adds the changes of all links: by one setting if all links are equally fast, otherwise by one for each link.
+    void add_all_links() {
+        const auto speed = wires().front().bits_per_second;
+        const bool same = std::ranges::all_of(wires(), [&](const auto& each) { return each.bits_per_second == speed; });
+        for (const Factor& factor : factors) {
+            Change change{Change::Of::all, "all links", factor.faster, {}};
+            if (same)
+                change.set["linkspeed"] = faster(speed, factor);
+            for (const LinkConnection& wire : wires())
+                if (!same)
+                    set_speed(change, wire, factor);
+            changes_.push_back(std::move(change));
+        }
     }
 
     /// Adds the changes of a link once, even if both of its directions are among the busiest.
     void add_link(const LinkConnection& wire) {
-        if (links_known_.insert(&wire).second)
-            add_speeds(
+        if (!links_known_.insert(&wire).second)
+            return;
+        for (const Factor& factor : factors) {
+            Change change{
                 Change::Of::alone,
                 fmt::format("link {} - {}", link_name(network_.nodes, wire.a), link_name(network_.nodes, wire.b)),
-                name_for_set(wire) + ".linkspeed", wire.bits_per_second);
+                factor.faster,
+                {}};
+            set_speed(change, wire, factor);
+            changes_.push_back(std::move(change));
+        }
     }
 
     void add_bus_times(Change::Of of, const std::string& what, const std::map<std::string, const Node*>& buses) {

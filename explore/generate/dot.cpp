@@ -33,18 +33,31 @@ public:
     }
 
     const DotWord& peek() const { return next_; }
-    DotWord take() { return std::exchange(next_, read()); }
+    DotWord take() {
+        taken_line_ = next_.line;
+        return std::exchange(next_, read());
+    }
     bool take_if(std::string_view mark) {
         const bool follows = next_.is(mark);
         if (follows)
             take();
         return follows;
     }
+    /// Refuses the word that was taken last.
+    [[noreturn]] void refuse_taken(const std::string& message, const std::string& hint = "") const {
+        refuse_graph(file_, taken_line_, message, hint);
+    }
+    /// Refuses the word that peek() returns.
+    [[noreturn]] void refuse_next(const std::string& message, const std::string& hint = "") const {
+        refuse_graph(file_, next_.line, message, hint);
+    }
+
+private:
+    /// Refuses the characters that are read now.
     [[noreturn]] void refuse(const std::string& message, const std::string& hint = "") const {
         refuse_graph(file_, line_, message, hint);
     }
 
-private:
     void drop(std::size_t bytes) {
         bytes = std::min(bytes, left_.size());
         line_ += static_cast<std::size_t>(std::ranges::count(left_.substr(0, bytes), '\n'));
@@ -151,7 +164,7 @@ private:
 
     std::shared_ptr<const SourceFile> file_;
     std::string_view left_;
-    std::size_t line_ = 1;
+    std::size_t line_ = 1, taken_line_ = 1; ///< line of the next character, and of the word that was taken last
     DotWord next_;
 };
 
@@ -166,16 +179,16 @@ public:
         }
         const DotWord kind = words_.take();
         if (!kind.is_keyword("graph") && !kind.is_keyword("digraph"))
-            words_.refuse("expected \"graph\" or \"digraph\"",
-                          "the file must be a graph in DOT, the language of Graphviz");
+            words_.refuse_taken("expected \"graph\" or \"digraph\"",
+                                "the file must be a graph in DOT, the language of Graphviz");
         builder_.graph().directed = kind.is_keyword("digraph");
         if (!words_.peek().is_mark)
             words_.take();
         if (!words_.take_if("{"))
-            words_.refuse("expected \"{\" before the statements of the graph");
+            words_.refuse_next("expected \"{\" before the statements of the graph");
         read_statements({});
         if (!words_.peek().is_end())
-            words_.refuse("the file continues after the end of the graph", "a file can have only one graph");
+            words_.refuse_next("the file continues after the end of the graph", "a file can have only one graph");
         return std::move(builder_.graph());
     }
 
@@ -189,11 +202,11 @@ private:
     /// subgraph sets end with the subgraph.
     Nodes read_statements(Defaults defaults) {
         if (++depth_ > deepest_graph)
-            words_.refuse(fmt::format("subgraphs are nested deeper than {} levels", deepest_graph));
+            words_.refuse_taken(fmt::format("subgraphs are nested deeper than {} levels", deepest_graph));
         Nodes nodes;
         while (!words_.take_if("}")) {
             if (words_.peek().is_end())
-                words_.refuse("the graph is not closed: \"}\" is missing");
+                words_.refuse_next("the graph is not closed: \"}\" is missing");
             nodes.merge(read_statement(defaults));
         }
         --depth_;
@@ -250,10 +263,10 @@ private:
     void take_edge_mark() {
         const bool directed = builder_.graph().directed;
         if (words_.peek().is(directed ? "--" : "->"))
-            words_.refuse(directed ? "the edge of a digraph is written \"--\""
-                                   : "the edge of a graph is written \"->\"",
-                          directed ? "write \"->\", or begin the file with \"graph\""
-                                   : "write \"--\", or begin the file with \"digraph\"");
+            words_.refuse_next(directed ? "the edge of a digraph is written \"--\""
+                                        : "the edge of a graph is written \"->\"",
+                               directed ? "write \"->\", or begin the file with \"graph\""
+                                        : "write \"--\", or begin the file with \"digraph\"");
         words_.take();
     }
 
@@ -272,8 +285,8 @@ private:
         }
         const DotWord name = words_.take();
         if (name.is_mark)
-            words_.refuse(name.is_end() ? "the graph is not closed: \"}\" is missing"
-                                        : fmt::format("\"{}\" is not expected here", name.text));
+            words_.refuse_taken(name.is_end() ? "the graph is not closed: \"}\" is missing"
+                                              : fmt::format("\"{}\" is not expected here", name.text));
         while (words_.take_if(":")) // skips a port and a compass point
             words_.take();
         if (words_.peek().is("="))
@@ -292,11 +305,11 @@ private:
             while (!words_.take_if("]")) {
                 const DotWord name = words_.take();
                 if (name.is_mark)
-                    words_.refuse("expected an attribute, or \"]\"");
+                    words_.refuse_taken("expected an attribute, or \"]\"");
                 const bool has_value = words_.take_if("=");
                 const DotWord value = has_value ? words_.take() : DotWord{.text = "true"};
                 if (value.is_mark)
-                    words_.refuse(fmt::format("the attribute \"{}\" has no value", name.text));
+                    words_.refuse_taken(fmt::format("the attribute \"{}\" has no value", name.text));
                 attributes[name.text] = value.text;
             }
     }
@@ -306,7 +319,7 @@ private:
             for (const std::size_t from : ends[i])
                 for (const std::size_t to : ends[i + 1]) {
                     if (++pairs_ > 10 * most_graph_elements)
-                        words_.refuse("the graph joins too many pairs of nodes");
+                        words_.refuse_taken("the graph joins too many pairs of nodes");
                     if (strict_ && !known_.insert(pair_of(from, to)).second)
                         continue;
                     builder_.count_copy(attributes, line);

@@ -1,8 +1,10 @@
 #include "explore/generate/graph_topology.hpp"
 
 #include "explore/generate/graph.hpp"
+#include "netlist/elaborate/attributes.hpp"
 #include "netlist/kinds/catalogue.hpp"
 #include "netlist/kinds/device_kind.hpp"
+#include "netlist/kinds/parameter.hpp"
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/number.hpp"
@@ -100,6 +102,43 @@ void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& 
                      hint);
 }
 
+/// Returns for each node whether edges lead to it from the first node.
+std::vector<bool> reached_from_first(const Graph& graph) {
+    const auto edges = edges_by_node(graph);
+    std::vector<bool> reached(graph.nodes.size());
+    std::vector<std::size_t> to_visit{0};
+    reached[0] = true;
+    while (!to_visit.empty()) {
+        const std::size_t node = to_visit.back();
+        to_visit.pop_back();
+        for (const std::size_t i : edges[node])
+            for (const std::size_t end : {graph.edges[i].from, graph.edges[i].to})
+                if (!reached[end])
+                    reached[end] = true, to_visit.push_back(end);
+    }
+    return reached;
+}
+
+/// Throws RefusedText, which names the nodes, if the graph consists of several parts.
+void require_connected(const Graph& graph, const std::shared_ptr<const SourceFile>& file) {
+    const std::vector<bool> reached = reached_from_first(graph);
+    std::vector<std::string> apart;
+    std::size_t line = 0;
+    for (std::size_t node = 0; node < reached.size(); ++node)
+        if (!reached[node]) {
+            line = line == 0 ? graph.nodes[node].line : line;
+            apart.push_back(fmt::format("\"{}\"", graph.nodes[node].name));
+        }
+    constexpr std::size_t most = 8;
+    const bool more = apart.size() > most;
+    apart.resize(std::min(apart.size(), most));
+    if (!apart.empty())
+        refuse_graph(file, line,
+                     fmt::format("no edges lead from \"{}\" to {}{}", graph.nodes[0].name, fmt::join(apart, ", "),
+                                 more ? ", ..." : ""),
+                     "add an edge: the processors of a machine must be connected");
+}
+
 /// Builds each node of more than four edges from two processors, which a wire joins. The first processor has three
 /// edges of the node, the second processor the others.
 void split_nodes(Graph& graph) {
@@ -120,16 +159,36 @@ void split_nodes(Graph& graph) {
     }
 }
 
-/// Returns an attribute's value as a number in the netlist language, which may end in K or M; nothing if the value is
-/// not such a number.
-std::optional<std::string> number_text(const std::string& text) {
-    const bool has_suffix = text.ends_with('K') || text.ends_with('M');
-    if (parse_number<std::uint64_t>(text.substr(0, text.size() - (has_suffix ? 1 : 0))))
+/// Returns the number that the text states in the netlist language, where it may end in K or M; nothing if the text is
+/// not a number.
+std::optional<double> number_in(const std::string& text, bool decimal_suffixes) {
+    const double kilo = decimal_suffixes ? 1000 : 1024;
+    const double factor = text.ends_with('K') ? kilo : text.ends_with('M') ? kilo * kilo : 1;
+    const auto number = parse_number<double>(text.substr(0, text.size() - (factor == 1 ? 0 : 1)));
+    return number && std::isfinite(*number) ? std::optional(*number * factor) : std::nullopt;
+}
+
+/// Returns why the text is not a value of the attribute; "" if it is one.
+std::string fault_of(const std::string& text, const AttributeDescription& attribute) {
+    const auto number = number_in(text, attribute.decimal_suffixes);
+    if (!number)
+        return "is not a number";
+    if (!in_range(attribute.value, *number))
+        return "is out of range";
+    return attribute.value.type == ParameterType::integer && std::floor(*number) != *number ? "is not an integer" : "";
+}
+
+std::string hint_for(const AttributeDescription& attribute) {
+    const bool has_range = attribute.value.least || attribute.value.most;
+    return has_range ? "expected " + range_of(attribute.value) : "give a number such as 20000000 or 20M";
+}
+
+/// Returns the value as the netlist language writes it. REQUIRES: fault_of() finds no fault.
+std::string value_text(const std::string& text, const AttributeDescription& attribute) {
+    if (parse_number<std::uint64_t>(text.substr(0, text.find_first_of("KM"))))
         return text;
-    const auto number = parse_number<double>(text);
-    if (!number || !std::isfinite(*number) || *number < 0 || *number > 1e15)
-        return std::nullopt;
-    return std::floor(*number) == *number ? fmt::format("{:.0f}", *number) : fmt::format("{}", *number);
+    const double number = number_in(text, attribute.decimal_suffixes).value();
+    return std::floor(number) == number ? fmt::format("{:.0f}", number) : fmt::format("{}", number);
 }
 
 /// Returns the text in a form that can be written in a comment.
@@ -143,7 +202,8 @@ std::string for_comment(std::string text) {
 class GraphTopology {
 public:
     GraphTopology(const Graph& graph, std::shared_ptr<const SourceFile> file, const Catalogue& catalogue)
-        : graph_(graph), file_(std::move(file)), catalogue_(catalogue), links_(graph.nodes.size()) {}
+        : graph_(graph), file_(std::move(file)), catalogue_(catalogue), links_(graph.nodes.size()),
+          ports_(graph.nodes.size()) {}
 
     Topology make(const std::string& path) && {
         const std::string nodes = std::to_string(graph_.nodes.size());
@@ -197,23 +257,25 @@ private:
                      "give a type such as T800 or T414; rename the attribute if it does not state the transputer");
     }
 
-    std::string entries_of(const GraphAttributes& attributes, const std::map<std::string, std::string>& known,
-                           const std::string& owner, std::size_t line) {
+    /// The attributes that have an effect, and what the netlist calls each.
+    using Known = std::map<std::string, const AttributeDescription*>;
+
+    std::string entries_of(const GraphAttributes& attributes, const Known& known, const std::string& owner,
+                           std::size_t line) {
         std::vector<std::string> entries;
-        for (const auto& [name, value] : attributes) {
-            const auto found = known.find(name);
-            if (found == known.end()) {
-                if (name != "type" && unused_.size() < 20)
-                    unused_.insert(for_comment(name));
-                continue;
-            }
-            const auto number = number_text(value);
-            if (!number)
-                refuse_graph(file_, line, fmt::format("{} of {}: \"{}\" is not a number", name, owner, value),
-                             "give a number such as 20000000 or 20M");
-            entries.push_back(found->second + " = " + *number);
-        }
+        for (const auto& [name, value] : attributes)
+            if (const auto found = known.find(name); found != known.end())
+                entries.push_back(entry_of(*found->second, value, name + " of " + owner, line));
+            else if (name != "type" && unused_.size() < 20)
+                unused_.insert(for_comment(name));
         return entries.empty() ? "" : fmt::format(" ({})", fmt::join(entries, ", "));
+    }
+
+    std::string entry_of(const AttributeDescription& attribute, const std::string& value, const std::string& what,
+                         std::size_t line) const {
+        if (const std::string fault = fault_of(value, attribute); !fault.empty())
+            refuse_graph(file_, line, fmt::format("{}: \"{}\" {}", what, value, fault), hint_for(attribute));
+        return attribute.value.name + " = " + value_text(value, attribute);
     }
 
     /// Returns ": label" if the label says more than the node's name; Graphviz writes "\\N" for the name.
@@ -224,9 +286,9 @@ private:
     }
 
     void add_nodes() {
-        std::map<std::string, std::string> known;
+        Known known;
         for (const AttributeDescription& each : catalogue_.node_types().at(made_.type).preset.kind->attributes)
-            known[each.value.name] = each.value.name;
+            known[each.value.name] = &each;
         for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
             const GraphNode& node = graph_.nodes[i];
             const std::string entries = entries_of(node.attributes, known, node.name, node.line);
@@ -236,9 +298,17 @@ private:
         }
     }
 
+    static Known known_of_edges() {
+        Known known;
+        for (const AttributeDescription& each : connection_attributes())
+            if (each.value.name == "linkspeed" || each.value.name == "length")
+                known[each.value.name] = &each;
+        known["speed"] = known.at("linkspeed");
+        return known;
+    }
+
     void add_wires() {
-        const std::map<std::string, std::string> known{
-            {"linkspeed", "linkspeed"}, {"speed", "linkspeed"}, {"length", "length"}};
+        const Known known = known_of_edges();
         std::string statements;
         std::size_t named = 0;
         for (const GraphEdge& edge : graph_.edges) {
@@ -247,7 +317,8 @@ private:
             if (edge.attributes.contains("speed") && edge.attributes.contains("linkspeed"))
                 refuse_graph(file_, edge.line, owner + " has both \"speed\" and \"linkspeed\"",
                              "leave one of them out");
-            Wires wire{.loops = {}, .from = end_at(edge.from), .to = end_at(edge.to)};
+            const bool is_first = joined_.insert(std::minmax(edge.from, edge.to)).second;
+            Wires wire{.loops = {}, .from = end_at(edge.from, is_first), .to = end_at(edge.to, is_first)};
             if (const std::string entries = entries_of(edge.attributes, known, owner, edge.line); !entries.empty()) {
                 wire.name = fmt::format("wire[{}]", named++);
                 statements += wire.name + entries + ";\n";
@@ -258,10 +329,10 @@ private:
             made_.attributes += fmt::format("connection wire[{}];\n{}", named, statements);
     }
 
-    /// Allocates the next free link of a node. Its port has the same number.
-    WireEnd end_at(std::size_t node) {
-        const std::size_t link = links_[node]++;
-        return {fmt::format("[{}]", node), std::to_string(link), std::to_string(link)};
+    /// Allocates the next free link of a node, and its next free port if the wire leads to a new neighbour.
+    WireEnd end_at(std::size_t node, bool is_new) {
+        return {fmt::format("[{}]", node), std::to_string(links_[node]++),
+                is_new ? std::to_string(ports_[node]++) : ""};
     }
 
     void add_host() {
@@ -275,7 +346,8 @@ private:
     const Graph& graph_;
     std::shared_ptr<const SourceFile> file_;
     const Catalogue& catalogue_;
-    std::vector<std::size_t> links_; ///< number of used links of each node
+    std::vector<std::size_t> links_, ports_; ///< numbers of used links and ports of each node
+    std::set<std::pair<std::size_t, std::size_t>> joined_;
     std::set<std::string> unused_;
     Topology made_;
 };
@@ -298,6 +370,7 @@ Topology topology_of_graph(const TopologyRequest& request, const Catalogue& cata
         refuse_graph(file, 0, "the graph has no nodes", "add nodes; each node becomes a processor");
     if (graph.directed)
         join_directions(graph, file);
+    require_connected(graph, file);
     if (request.split) {
         require_edges(graph, file, 2 * (links_of_a_node - 1),
                       "a node can have at most six edges: two processors have six links besides the wire between them");

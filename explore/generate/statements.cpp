@@ -40,8 +40,9 @@ std::string print_channels(const Topology& topology, const std::string& process,
     };
     std::string text;
     for (const Wires& wires : topology.wires)
-        text += within(wires.loops, {connection(end(wires.from, output), end(wires.to, input)),
-                                     connection(end(wires.to, output), end(wires.from, input))});
+        if (!wires.from.port.empty())
+            text += within(wires.loops, {connection(end(wires.from, output), end(wires.to, input)),
+                                         connection(end(wires.to, output), end(wires.from, input))});
     return text;
 }
 

@@ -11,8 +11,8 @@ namespace placedpar::generate {
 struct WireEnd {
     std::string at;   ///< subscripts of the processor at this end, "[r][c + 1]"
     std::string link; ///< number of the link, "1"
-    std::string port; ///< subscript of the process port for the channel along this wire; the ports of a process are
-                      ///< numbered 0, 1, 2 ...
+    std::string port; ///< subscript of the port to this neighbour; the ports of a process are numbered 0, 1, 2
+                      ///< ...; "" if another wire leads to the same neighbour, whose port it is
 };
 
 /// A group of wires, one for each iteration of the loops.

@@ -18,7 +18,7 @@ struct Lacking {
 };
 
 /// Throws UserError if the user gave one of these settings. The message names the first of them.
-void require_lacking(std::initializer_list<Lacking> settings, const char* why) {
+void require_lacking(std::initializer_list<Lacking> settings, const std::string& why) {
     for (const Lacking& each : settings)
         if (each.is_given)
             throw UserError(fmt::format("{} works only with --way {}; {}", each.name, each.ways, why));
@@ -43,23 +43,31 @@ void require_in_range(const IdentifySettings& settings) {
 
 } // namespace
 
+std::string shown_way(const IdentifySettings& settings) {
+    return fmt::format("--way {}{}", settings.way,
+                       !settings.has_default_way   ? ""
+                       : settings.side == "outlet" ? " (the default with --side outlet)"
+                                                   : " (the default)");
+}
+
 void settle_way(IdentifySettings& settings) {
     require_in_range(settings);
     if (settings.side == "outlet" && settings.way == "service")
         throw UserError("--side outlet works only with --way thesis or whole; --way service identifies inlet sides");
+    settings.has_default_way = settings.way.empty();
     if (settings.way.empty())
         settings.way = settings.side == "outlet" ? "whole" : "service";
     if (settings.way != "service" && settings.configuration.empty())
         settings.configuration = "a";
     if (settings.way == "whole")
         require_lacking({{"--rising", settings.rising}, {"--window", settings.window.has_value()}},
-                        "--way whole uses all samples at once");
+                        shown_way(settings) + " uses all samples at once");
     if (settings.way == "service")
         require_lacking({{"--samples", settings.samples.has_value(), "thesis or whole"},
                          {"--rising", settings.rising},
                          {"--coding", !settings.coding.empty(), "thesis or whole"},
                          {"--offset auto", settings.offset == "auto"}},
-                        "--way service identifies as placedpar monitor does, which has no such setting");
+                        shown_way(settings) + " identifies as placedpar monitor does, which has no such setting");
 }
 
 IdentifyEnd identify_record(const IdentifySettings& settings, const RecordInput& input, const IdentifyOutput& output) {

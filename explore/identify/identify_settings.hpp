@@ -18,6 +18,7 @@ struct IdentifySettings {
     std::uint64_t seed = 1;
     std::optional<std::size_t> bits, population, trials, window, elite; ///< empty: the way's default
     double bias = 400;
+    bool has_default_way = false; ///< set by settle_way(): no way was given
 
     static constexpr std::size_t least_bits = 6, most_bits = 52, most_window = 1024, a_million = 1'000'000;
 

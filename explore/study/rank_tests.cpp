@@ -33,7 +33,7 @@ std::vector<Compared> compared_along(const StudySummary& summary, std::size_t ax
         others[axis].clear();
         for (std::size_t i = 0; i < others.size(); ++i)
             if (i != axis)
-                shown.push_back(fmt::format("{} = {}", summary.axes[i], others[i]));
+                shown.push_back(shown_setting(summary, line, i));
         Compared& compared = all[others];
         compared.others = fmt::format("{}", fmt::join(shown, ", "));
         compared.lines.push_back(&line);
@@ -71,7 +71,7 @@ std::optional<Row> tested(const StudySummary& summary, std::size_t axis, const C
     for (const StudyLine* line : compared.lines)
         if (std::vector<double> figures = figures_of_runs(*line, measure); figures.size() > 1) {
             groups.push_back(std::move(figures));
-            values.push_back(line->values[axis]);
+            values.push_back(shown_value(*line, axis));
         }
     const std::optional<RankTest> test = test_of(groups);
     if (!test)

@@ -58,7 +58,7 @@ std::string options_of(const Study& study) {
 }
 
 std::string text_of_file(const std::string& path) {
-    LoadedSource loaded = load_source(path);
+    LoadedSource loaded = load_input(path);
     if (has_errors(loaded.problems))
         throw RefusedInput(render(loaded.problems));
     return loaded.file->text();
@@ -126,7 +126,8 @@ bool StudySource::operator==(const StudySource& other) const {
 }
 
 StudySource source_of(const Study& study, const Network& network) {
-    StudySource source{study.netlist, {{study.netlist, text_of_file(study.netlist)}}, options_of(study)};
+    const std::string shown = shown_input(study.netlist);
+    StudySource source{shown, {{shown, text_of_file(study.netlist)}}, options_of(study)};
     for (const std::string& path : network.included_paths)
         source.texts.emplace_back(path, text_of_file(path));
     for (const Node& node : network.nodes) // a hash, because the bytes are not text

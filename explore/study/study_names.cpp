@@ -59,7 +59,7 @@ void add_elements(StudyNames& names, const Network& network, const Catalogue& ca
 }
 
 void add_constants(StudyNames& names, const Network& network, const ReadOptions& options) {
-    const NetlistSyntax syntax = read_syntax(load_source(network.source_path).file, options.include_folders);
+    const NetlistSyntax syntax = read_syntax(load_shown_input(network.source_path).file, options.include_folders);
     for (const auto& [name, value] : stated_vals(network)) {
         const NetlistName* const declared = syntax.find(name);
         names.settings[name] = {fmt::format("val {} {};\n", name, value), declared ? declared->at : Location{}, {}};

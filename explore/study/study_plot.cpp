@@ -62,8 +62,7 @@ std::string curve_of(const StudySummary& summary, const StudyLine& line, std::si
     std::string name;
     for (std::size_t i = 0; i < summary.axes.size(); ++i)
         if (i != over && values_of_axis(summary, i).size() > 1)
-            name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", summary.axes[i],
-                                line.values[i].empty() ? "-" : line.values[i]);
+            name += (name.empty() ? "" : ", ") + shown_setting(summary, line, i);
     return name;
 }
 

@@ -48,6 +48,14 @@ std::string measure_with_unit(const StudySummary& summary, std::size_t measure) 
            (unit.empty() ? "" : " [" + unit + "]");
 }
 
+std::string shown_value(const StudyLine& line, std::size_t axis) {
+    return line.values[axis].empty() ? "not set" : line.values[axis];
+}
+
+std::string shown_setting(const StudySummary& summary, const StudyLine& line, std::size_t axis) {
+    return summary.axes[axis] + (line.values[axis].empty() ? " " : " = ") + shown_value(line, axis);
+}
+
 std::vector<std::string> said_of_all(const StudySummary& summary) {
     std::vector<std::string> said;
     if (!summary.fixed.empty())

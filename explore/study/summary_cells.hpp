@@ -21,6 +21,10 @@ std::string ended_of(const StudyLine&);
 std::string measure_with_unit(const StudySummary&, std::size_t measure);
 /// Returns whether some combination was run with several seeds.
 bool has_intervals(const StudySummary&);
+/// Returns the line's value of an axis as "slaves = 2", or "slaves not set" if only other lines set it.
+std::string shown_setting(const StudySummary&, const StudyLine&, std::size_t axis);
+/// Returns the value alone: "2", or "not set".
+std::string shown_value(const StudyLine&, std::size_t axis);
 /// Returns the settings as "slaves = 2, clock = 5M".
 std::string shown_settings(const Overrides&);
 /// Returns the message for reference settings (Study::relative_to) that no run has. `set`: the names of the settings

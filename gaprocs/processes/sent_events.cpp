@@ -95,6 +95,7 @@ void keep_state(PackedReader& from, Checkpoints& checkpoints) {
     checkpoint.search.best = next_packed<std::optional<Individual>>(from);
     checkpoint.populations = next_packed<std::uint64_t>(from);
     checkpoint.best = next_packed<Individual>(from);
+    checkpoint.improvements = next_packed<std::vector<Improvement>>(from);
     checkpoints.keep(search, checkpoint);
 }
 
@@ -103,7 +104,7 @@ void keep_state(PackedReader& from, Checkpoints& checkpoints) {
 void SentCheckpoints::keep(const std::string& search, const SearchCheckpoint& checkpoint) {
     const SearchState& state = checkpoint.search;
     send_(packed_event(SentKind::state, search, state.generation, state.redraws, state.drawn, state.population,
-                       state.best, checkpoint.populations, checkpoint.best));
+                       state.best, checkpoint.populations, checkpoint.best, checkpoint.improvements));
 }
 
 void SentEvents::observe(const ObservedGeneration& event) {

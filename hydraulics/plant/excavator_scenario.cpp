@@ -57,10 +57,7 @@ void require_valid(const SpoolOrifices& valve, std::string_view link) {
 void require_valid(const ExcavatorScenario& scenario) {
     scenario_needs.positive("the integration step", scenario.integration_step_s);
     scenario_needs.positive("the duration", scenario.duration_s);
-    constexpr double most_steps = 2e6; // limited because a whole motion is kept in memory
-    if (scenario.duration_s > most_steps * scenario.integration_step_s)
-        scenario_needs.refuse("the duration", scenario.duration_s,
-                              fmt::format("at most {:g} integration steps", most_steps));
+    scenario_needs.kept_whole(scenario.duration_s, scenario.integration_step_s);
     scenario_needs.positive("the orifice constant", scenario.flow.orifice_in3_per_s_in2_sqrt_psi);
     scenario_needs.positive("the pump flow", scenario.flow.pump_in3_per_s);
     scenario_needs.positive("the relief pressure", scenario.flow.relief_psi);

@@ -130,10 +130,7 @@ void require_valid(const MeasuredExcavator& excavator) {
     excavator_needs.finite("the leak's start", excavator.leak.start_s);
     require_valid_command(excavator);
     require_short_step(excavator);
-    constexpr double most_steps = 2e6; // limited because the whole motion is kept in memory
-    if (excavator.duration_s > most_steps * excavator.integration_step_s)
-        excavator_needs.refuse("the duration", excavator.duration_s,
-                               fmt::format("at most {:g} integration steps", most_steps));
+    excavator_needs.kept_whole(excavator.duration_s, excavator.integration_step_s);
 }
 
 } // namespace placedpar::hydraulics

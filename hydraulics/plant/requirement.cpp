@@ -30,4 +30,12 @@ void Requirement::share(std::string_view what, double value) const {
         refuse(what, value, "above 0 and below 1");
 }
 
+void Requirement::kept_whole(double duration_s, double integration_step_s) const {
+    constexpr double most_steps = 2e6;
+    if (duration_s > most_steps * integration_step_s)
+        throw UnfitScenario(fmt::format(
+            "{}: the duration is {} s, expected at most {:g} s, which are {:.0f} integration steps of {:g} s", of,
+            duration_s, most_steps * integration_step_s, most_steps, integration_step_s));
+}
+
 } // namespace placedpar::hydraulics

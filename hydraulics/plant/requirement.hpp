@@ -24,6 +24,8 @@ struct Requirement {
     void finite(std::string_view what, double value) const;
     /// Requires a value above 0 and below 1.
     void share(std::string_view what, double value) const;
+    /// Requires a motion of so few integration steps that the whole motion can be kept in memory.
+    void kept_whole(double duration_s, double integration_step_s) const;
 };
 
 } // namespace placedpar::hydraulics

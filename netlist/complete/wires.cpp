@@ -1,5 +1,7 @@
 #include "netlist/complete/complete.hpp"
 
+#include "netlist/network/names.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,12 +34,33 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
+/// Returns whether a thing of the netlist, or an array of things, is named "wire".
+bool is_wire_taken(const Draft& draft) {
+    const auto taken = [](const auto& things) {
+        return std::ranges::any_of(things, [](const auto& each) { return base_name(each.name) == "wire"; });
+    };
+    return taken(draft.nodes) || taken(draft.connections) || taken(draft.processes) || taken(draft.edge_channels);
+}
+
+/// Returns the name by which the option --set refers to each wire. Elaborator::name_wires() gives these names to wires
+/// that the netlist does not name.
+std::vector<std::string> names_for_set(const Draft& draft) {
+    const char* base = is_wire_taken(draft) ? "wire_2" : "wire";
+    std::vector<std::string> names;
+    std::size_t without_name = 0;
+    for (const DraftWire& wire : draft.wires)
+        names.push_back(wire.connection == nowhere ? fmt::format("{}[{}]", base, without_name++)
+                                                   : draft.connections[wire.connection].name);
+    return names;
+}
+
 /// Joins wires through switches to connections between processors. At a switch that a program sets, follows every
 /// crosspoint, since the program may make each of them during the run.
 class Wiring {
 public:
     explicit Wiring(Completion& completion)
-        : c_(completion), wire_at_(by_end(c_.draft.wires)), crosspoints_at_(all_by_end(c_.draft.crosspoints)) {}
+        : c_(completion), wire_at_(by_end(c_.draft.wires)), crosspoints_at_(all_by_end(c_.draft.crosspoints)),
+          names_for_set_(names_for_set(c_.draft)) {}
 
     void run() {
         for (std::size_t i = 0; i < c_.draft.wires.size(); ++i)
@@ -164,6 +187,7 @@ private:
                 if (!add_attributes(connection, speed, named))
                     return;
         connection.bits_per_second = speed ? *speed : speed_of_ends(connection);
+        name_for_set(connection, pieces);
         if (connection.at_run_time)
             for (auto piece : pieces)
                 note_piece(piece);
@@ -171,6 +195,15 @@ private:
             if (!end.at_edge())
                 c_.connection_at.emplace(socket(end), c_.network.connections.size());
         c_.network.connections.push_back(std::move(connection));
+    }
+
+    void name_for_set(LinkConnection& connection, const std::vector<std::size_t>& pieces) const {
+        for (auto piece : pieces)
+            if (auto named = c_.draft.wires[piece].connection;
+                named != nowhere && c_.draft.connections[named].bits_per_second)
+                connection.names_for_set.push_back(names_for_set_[piece]);
+        if (connection.names_for_set.empty())
+            connection.names_for_set.push_back(names_for_set_[pieces.front()]);
     }
 
     void note_piece(std::size_t index) {
@@ -240,8 +273,9 @@ private:
     Completion& c_;
     std::map<Socket, std::size_t> wire_at_;
     std::map<Socket, std::vector<std::size_t>> crosspoints_at_;
-    std::set<std::size_t> noted_; ///< wires that are already in Network::pieces
-    std::size_t ways_ = 0;        ///< number of paths tried through crosspoints that a program sets; at most most_ways
+    std::vector<std::string> names_for_set_; ///< of each wire of the draft
+    std::set<std::size_t> noted_;            ///< wires that are already in Network::pieces
+    std::size_t ways_ = 0; ///< number of paths tried through crosspoints that a program sets; at most most_ways
 };
 
 bool is_computer(const Node& node) { return node.kind->executes != Execution::none; }

@@ -124,6 +124,9 @@ struct LinkConnection {
         {}; ///< set for a way over a bus: `a` is then the master, `b` the device that the master reaches
     bool at_run_time = false; ///< the connection exists only while a program sets switches to make it; several such
                               ///< connections may share a link
+    /// Names by which the option --set changes its speed: the names of its wires that state a speed, or of its first
+    /// wire if none does. Wires without a name are "wire[0]", "wire[1]" ... in the order of the netlist.
+    std::vector<std::string> names_for_set = {};
 
     int switches() const { return static_cast<int>(crossings.size()); }
 };

@@ -115,6 +115,26 @@ class Checkpoints(unittest.TestCase):
                 self.assertEqual(later, {place: value for place, value in whole.items() if place[0] > begin})
                 self.file.unlink()
 
+    def progress(self, *arguments):
+        """Returns who first found the best value and when, and the generation of 99 % of each search."""
+        report = self.file.with_name("report.json")
+        run = placedpar("run", self.objective, "--json", report, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        searches = json.loads(report.read_text(encoding="utf-8"))["searches"]
+        finder = [line for line in run.stdout.splitlines() if line.startswith("best of all: ")]
+        return finder, {each["process"]: each["generation_at_99_percent"] for each in searches}
+
+    def test_a_report_names_the_generations_before_the_checkpoint(self):
+        cruel = ("--set", "mutation=0.3", "--set", "population=8")  # the best individual is often lost
+        for arguments in ((), cruel):
+            with self.subTest(arguments=arguments):
+                whole = self.progress(*arguments)
+                self.assertRegex(whole[0][0], r"first found by island\[\d\] in generation \d+$")
+                for generations in (20, 40, 60):
+                    part = self.progress(*arguments, "--checkpoint", self.file, "--set", f"generations={generations}")
+                self.assertEqual(part, whole)
+                self.file.unlink()
+
     def test_it_goes_on_with_another_number_of_processors(self):
         expected = results(ISLANDS)
         self.stop_in_the_middle(ISLANDS)
@@ -187,9 +207,11 @@ class Refusals(unittest.TestCase):
         placedpar("run", ISLANDS, "--checkpoint", self.file)
         good = self.file.read_text(encoding="utf-8")
         stored = json.loads(good)
-        for name, value in (("generation", -1), ("generation", 0), ("searches", {}), ("placedpar", "checkpoint 0")):
+        for name, value in (("generation", -1), ("generation", 0), ("searches", {})):
             self.file.write_text(json.dumps({**stored, name: value}), encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
+        self.file.write_text(json.dumps({**stored, "placedpar": "checkpoint 1"}), encoding="utf-8")
+        self.assertIn("another version of PlacedPar wrote this checkpoint", self.refused())
         for text in ("", "{", good[:len(good) // 2], good + "x", "[" * 100000, "\0"):
             self.file.write_text(text, encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())

@@ -35,6 +35,31 @@ class Streams(unittest.TestCase):
         report = json.loads((self.folder / "report.json").read_text(encoding="utf-8"))
         self.assertEqual(report["manifest"]["netlist"], "<standard input>")
 
+    def test_differences_in_vals_are_found_in_a_netlist_from_standard_input(self):
+        text = "val n 2;\nT800 t;\nprocess p;\nuse \"csp.task\" for p;\np (cycles = n * 100);\nplace p on t;\n"
+        (self.folder / "b.cfs").write_text(text.replace("val n 2", "val n 3"), encoding="utf-8")
+        run = self.fed(text, "compare", "-", "b.cfs", folder=self.folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("  val n: 2 in A, 3 in B\n", run.stdout)
+
+    def test_a_sweep_of_standard_input_needs_a_name_for_its_results(self):
+        text = COMMSTIME.read_text(encoding="utf-8")
+        nameless = self.fed(text, "sweep", "-", "count=5,6", folder=self.folder)
+        self.assertEqual((nameless.returncode, nameless.stderr),
+                         (1, "placedpar: a netlist from standard input gives the results no name: add --results "
+                             "FILE.sqlite\n"))
+        swept = self.fed(text, "sweep", "-", "count=5,6", "--results", "r.sqlite", folder=self.folder)
+        self.assertEqual(swept.returncode, 0, swept.stderr)
+        named = placedpar("sweep", COMMSTIME, "count=5,6", "--results", self.folder / "n.sqlite")
+        self.assertEqual(swept.stdout.replace("r.sqlite", ""), named.stdout.replace(str(self.folder / "n.sqlite"), ""))
+
+    def test_commands_that_do_not_read_standard_input_say_so(self):
+        for command in (["report"], ["optimise"], ["disassemble"], ["send", "--to", "tcp:localhost:1"]):
+            run = self.fed("", *command, "-", folder=self.folder)
+            self.assertEqual((run.returncode, run.stdout), (1, ""), command)
+            self.assertIn("this command does not read standard input; expected the name of a file\n", run.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_a_netlist_comes_from_a_pipe_with_a_name(self):
         pipe = self.folder / "pipe.cfs"
         os.mkfifo(pipe)

@@ -127,6 +127,9 @@ class Trends(unittest.TestCase):
         step, picture = RECORDS / "boom-4deg.csv", self.folder / "trend.svg"
         for arguments, said in (([step, "--trend", picture], "--trend needs at least two records"),
                                 ([step, step, "--way", "thesis"], "2 records are given, but --way thesis takes one"),
+                                ([step, step, "--side", "outlet"],
+                                 "2 records are given, but --side outlet takes one record; several records need --side "
+                                 "inlet and --way service, which shows their trend\n"),
                                 ([step, step, "--trend", step], "boom-4deg.csv"),
                                 (["-", "-"], "standard input can be read only once"),
                                 ([step, self.folder / "none.csv", "--trend", picture], "this file does not exist")):

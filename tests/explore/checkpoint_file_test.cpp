@@ -29,6 +29,7 @@ SearchCheckpoint odd_state(std::uint64_t generation) {
     state.search.best = Individual{Genome::from_string("0110"), 0.1 + 0.2};
     state.populations = 0x8000000000000001;
     state.best = {Genome::from_string("1111"), -std::numeric_limits<double>::denorm_min()};
+    state.improvements = {{1, -0.1 - 0.2}, {4, state.best.fitness}};
     return state;
 }
 
@@ -117,9 +118,10 @@ TEST_CASE("damaged files are refused, and nothing is read beyond them") {
     const std::string whole = folder.read(written_checkpoint(folder).filename().string());
     std::vector<std::string> damaged{"", "{", "[]", "{}", "null", "\xff\xfe", whole + "x"};
     damaged.push_back(whole.substr(0, whole.size() / 2));
-    damaged.push_back(with_change(whole, "checkpoint 1", "checkpoint 0"));
     damaged.push_back(with_change(whole, "\"generation\": 10", "\"generation\": 0"));
     damaged.push_back(with_change(whole, "\"generation\": 10", "\"generation\": -1"));
+    damaged.push_back(with_change(whole, "\"generation\": 4", "\"generation\": 1"));
+    damaged.push_back(with_change(whole, "\"generation\": 4", "\"generation\": 11"));
     damaged.push_back(with_change(whole, "0110", "01x0"));
     damaged.push_back(with_change(whole, "\"redraws\": 2", "\"redraws\": \"2\""));
     damaged.push_back(with_change(whole, "fitness_bits", "fitness"));
@@ -128,6 +130,17 @@ TEST_CASE("damaged files are refused, and nothing is read beyond them") {
         CHECK_THROWS_WITH_AS(checkpoint_at(folder.write("damaged", text)),
                              doctest::Contains("this is not a checkpoint of a search ("), UserError);
     }
+}
+
+TEST_CASE("a checkpoint of another version is refused with both formats") {
+    const Scratch folder;
+    const std::string whole = folder.read(written_checkpoint(folder).filename().string());
+    CHECK_THROWS_WITH_AS(
+        checkpoint_at(folder.write("old", with_change(whole, "checkpoint 2", "checkpoint 1"))),
+        doctest::Contains(
+            "another version of PlacedPar wrote this checkpoint, in the format \"checkpoint 1\" (expected "
+            "\"checkpoint 2\"): "),
+        UserError);
 }
 
 TEST_CASE("the name of a folder, and standard input, are not names of a checkpoint") {

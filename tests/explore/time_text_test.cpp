@@ -41,10 +41,17 @@ TEST_CASE("fractions and powers of ten are exact, where a double would not be") 
 
 TEST_CASE("the message about a wrong time shows the right form") {
     for (const char* text :
-         {"", "5", "ms", "-1ms", "1 ms", "1min", "1.ms", "1e", "1e9999s", "1ms2us", "0x5ms", "+1s"}) {
+         {"", "5", "ms", "-1", "-ms", "1 ms", "1min", "1.ms", "1e", "1e9999s", "1ms2us", "0x5ms", "+1s"}) {
         CAPTURE(text);
         CHECK_THROWS_WITH_AS(parse_time(text), doctest::Contains("is not a time"), UserError);
     }
+}
+
+TEST_CASE("a negative time is refused for its sign") {
+    for (const char* text : {"-1us", "-0.5ms", "-1e3ps"})
+        CHECK_THROWS_WITH_AS(
+            parse_time(text),
+            fmt::format("\"{}\" is negative: expected a time of at least 0, such as 2.5ms", text).c_str(), UserError);
 }
 
 TEST_CASE("times finer than a picosecond or beyond the end of virtual time are refused") {

@@ -173,7 +173,8 @@ TEST_CASE("a log of one search, or of searches of different problems, has no row
 
 TEST_CASE("the best value so far begins with that of a checkpoint") {
     struct OneCheckpoint final : Checkpoints {
-        SearchCheckpoint begin{.search = {}, .best = {test::strings({"01"}).front(), -2}};
+        SearchCheckpoint begin{
+            .search = {}, .best = {test::strings({"01"}).front(), -2}, .improvements = {{1, -4}, {3, -2}}};
         const SearchCheckpoint* begin_of(const std::string& search) const override {
             return search == "east" ? &begin : nullptr;
         }
@@ -189,6 +190,9 @@ TEST_CASE("the best value so far begins with that of a checkpoint") {
     CHECK(log.of(1)[0].best_so_far == 3);
     CHECK(log.of_all()[0].best_so_far == 2);
     CHECK(log.of_all()[0].best == 3);
+    CHECK(log.steps_of(0) == std::vector<LoggedStep>{{1, 4}, {3, 2}});
+    CHECK(log.steps_of(1) == std::vector<LoggedStep>{{8, 3}});
+    CHECK(log.steps_of_all() == std::vector<LoggedStep>{{1, 4}, {3, 2}});
 }
 
 TEST_CASE("a minimised objective is logged without negation, and the least value is the best") {

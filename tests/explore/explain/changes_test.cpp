@@ -111,3 +111,57 @@ TEST_CASE("the answers begin with the shortest run, and a change without effect 
     CHECK(answers[1].time < now);
     CHECK(answers[3].refused.find("out of range") != std::string::npos);
 }
+
+namespace {
+
+constexpr const char* one_wire_through_switch =
+    "T800 a, b; C004 sw;\n"
+    "connect a.link[0] to sw.link[3]; connect sw.link[7] to b.link[1]; connect sw.link[3] to sw.link[7];\n"
+    "process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"
+    "p (count = 20, bytes = 1000); c (count = 20); place p on a; place c on b; connect p.out to c.in;";
+
+/// A link with a name "wire", a link through a switch whose second piece has a speed, and a link without a name.
+constexpr const char* three_kinds_of_wires =
+    "T800 a, b, d, e; C004 sw; connection (linkspeed = 10M) wire, half;\n"
+    "connect a.link[0] to b.link[0] by wire;\n"
+    "connect b.link[1] to sw.link[3]; connect sw.link[7] to d.link[1] by half; connect sw.link[3] to sw.link[7];\n"
+    "connect d.link[0] to e.link[0];\n"
+    "process p, s[2], c; use \"csp.producer\" for p; use \"csp.identity\" for s[0]; use \"csp.identity\" for s[1];\n"
+    "use \"csp.consumer\" for c; p (count = 20, bytes = 1000); c (count = 20);\n"
+    "place p on a; place s[0] on b; place s[1] on d; place c on e;\n"
+    "connect p.out to s[0].in; connect s[0].out to s[1].in; connect s[1].out to c.in;";
+
+/// Returns the speeds of the links, in the netlist's order, after the change "twice as fast".
+std::vector<std::int64_t> speeds_after(const std::string& text, const std::string& what) {
+    const std::vector<Change> changes = changes_of_text(text);
+    const Change* change = find_change(changes, what, "twice as fast");
+    REQUIRE(change);
+    ReadResult result = read_netlist_text(text, all_kinds(), change->set);
+    CAPTURE(render(result));
+    REQUIRE(result.network);
+    std::vector<std::int64_t> speeds;
+    for (const LinkConnection& each : result.network->connections)
+        speeds.push_back(each.bits_per_second);
+    return speeds;
+}
+
+} // namespace
+
+TEST_CASE("a link through a switch is varied, also if it is the only link") {
+    CHECK(speeds_after(one_wire_through_switch, "link a.link[0] - b.link[1]") == std::vector<std::int64_t>{40'000'000});
+    CHECK_FALSE(find_change(changes_of_text(one_wire_through_switch), "all links", "twice as fast"));
+}
+
+TEST_CASE("each link is varied by its own name, and all links together, whatever their speeds") {
+    using Speeds = std::vector<std::int64_t>;
+    const std::string text = three_kinds_of_wires;
+    CHECK(speeds_after(text, "link a.link[0] - b.link[0]") == Speeds{20'000'000, 10'000'000, 20'000'000});
+    CHECK(speeds_after(text, "link b.link[1] - d.link[1]") == Speeds{10'000'000, 20'000'000, 20'000'000});
+    CHECK(speeds_after(text, "link d.link[0] - e.link[0]") == Speeds{10'000'000, 10'000'000, 40'000'000});
+    CHECK(speeds_after(text, "all links") == Speeds{20'000'000, 20'000'000, 40'000'000});
+}
+
+TEST_CASE("the only link is varied if a program sets its switch during the run") {
+    const std::string text = std::string(one_wire_through_switch) + "connect a.link[1] to sw.config;";
+    CHECK(speeds_after(text, "all links").back() == 40'000'000);
+}

@@ -5,6 +5,7 @@
 #include "explore/generate/graph_topology.hpp"
 #include "explore/problems.hpp"
 #include "netlist/read.hpp"
+#include "tests/scratch.hpp"
 #include "text/load_source.hpp"
 #include "text/user_error.hpp"
 
@@ -57,6 +58,11 @@ Network network_of(const std::string& file, bool split = false) {
     ReadResult result = read_netlist_text(text_of_graph(file, split), kinds);
     REQUIRE(result.network.has_value());
     return std::move(*result.network);
+}
+
+Network network_of_text(const std::string& text) {
+    const Scratch folder;
+    return network_of(folder.write("graph.dot", text).string());
 }
 
 const LinkConnection& wire_between(const Network& network, const std::string& a, const std::string& b) {
@@ -148,6 +154,45 @@ TEST_CASE("a node of more than four edges is refused by name, or split") {
     CHECK(network.nodes.size() == 8);
     CHECK(network.count_wires() == 7); // five edges, the wire between the two processors, and the host's
     CHECK(wire_between(network, "t[0]", "t[6]").metres == 0);
+}
+
+TEST_CASE("an error in a graph is shown in the line of the wrong word") {
+    const auto line_of = [](const std::string& text) {
+        const std::string refusal = refusal_of(dot_of, text);
+        return refusal.substr(0, refusal.find(": error"));
+    };
+    CHECK(line_of("graph {\n  a -- b;\n  b -- c\n  ] ;\n}\n") == "graph:4:1");
+    CHECK(line_of("graph {\n  a [colour=\n]\n;\n}\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  a [\n=\n]\n}\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  a\n-> b\n}\n") == "graph:3:1");
+    CHECK(line_of("chart\n\n{ }") == "graph:1:1");
+    CHECK(line_of("graph { }\n\n}\n\n") == "graph:3:1");
+    CHECK(line_of("graph {\n  \"a\n\n") == "graph:2:1");
+}
+
+TEST_CASE("two edges between two nodes are two wires for one channel in each direction") {
+    const Network network = network_of_text("graph { a -- b; a -- b; b -- c }");
+    CHECK(std::ranges::count_if(network.connections, [&](const LinkConnection& wire) {
+              return network.nodes[wire.a.node].name == "t[0]" && network.nodes[wire.b.node].name == "t[1]";
+          }) == 2);
+    CHECK(network.channels.size() == 2 * 2 + 3 * 2); // between islands, and with the host
+}
+
+TEST_CASE("a graph in several parts is refused with the nodes apart, and a wrong value with its range") {
+    CHECK_THROWS_WITH_AS(network_of_text("graph { a -- b; c; d -- e }"),
+                         doctest::Contains(".dot:1:1: error: no edges lead from \"a\" to \"c\", \"d\", \"e\""),
+                         UserError);
+    const auto refused = [](const std::string& attributes, const std::string& message) {
+        CHECK_THROWS_WITH_AS(network_of_text("graph { a -- b [" + attributes + "] }"),
+                             doctest::Contains(message.c_str()), UserError);
+    };
+    refused("length=-3", "length of the edge from a to b: \"-3\" is out of range\n");
+    refused("length=-3", "expected from 0 to 1000 metres");
+    refused("speed=\"2000M\"", "\"2000M\" is out of range");
+    refused("speed=2.5", "\"2.5\" is not an integer");
+    refused("length=nan", "\"nan\" is not a number");
+    CHECK(wire_between(network_of_text("graph { a -- b [speed=\"1.5M\"] }"), "t[0]", "t[1]").bits_per_second ==
+          1'500'000);
 }
 
 TEST_CASE("hostile graphs are refused in words") {

@@ -116,6 +116,22 @@ TEST_CASE("a setting that has no effect with the way is refused with the ways in
         "service", [](IdentifySettings& set) { set.side = "outlet"; }, "--side outlet works only with --way");
 }
 
+TEST_CASE("a message says that a way is the default, so that it blames no option that was not given") {
+    const auto chosen = [](const std::string& way, const std::string& side) {
+        return shown_way(settled(by_way(way, [&](IdentifySettings& set) { set.side = side; })));
+    };
+    CHECK(chosen("", "inlet") == "--way service (the default)");
+    CHECK(chosen("", "outlet") == "--way whole (the default with --side outlet)");
+    CHECK(chosen("whole", "outlet") == "--way whole");
+    IdentifySettings rising;
+    rising.rising = true;
+    rising.side = "outlet";
+    CHECK_THROWS_WITH_AS(settled(rising),
+                         "--rising works only with --way thesis; --way whole (the default with --side outlet) uses all "
+                         "samples at once",
+                         UserError);
+}
+
 TEST_CASE("links are named once each, in any order") {
     CHECK(links_of("boom") == LinkSet{Link::boom});
     CHECK(links_of("swing,bucket,boom,stick") == LinkSet::all());

@@ -134,6 +134,19 @@ TEST_CASE("rank tests compare the values of a setting") {
     CHECK(print_rank_tests(summary_of(add_runs(single, {"1", "2"}, 1), {"master.rate"})).empty());
 }
 
+TEST_CASE("rank tests say which combinations do not set a setting") {
+    StudyResults results(StudySource{});
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        for (const Overrides& set : {Overrides{{"links", "1"}}, {{"links", "4"}}, {{"links", "4"}, {"slaves", "2"}}})
+            results.keep({set, seed},
+                         {.ended = "completed", .figures = {{"rate", {static_cast<double>(seed + set.size()), ""}}}});
+    CHECK(print_rank_tests(summary_of(results, {"rate"})) ==
+          "\nRank tests\n"
+          "setting  of          with            measure       p  effect  test\n"
+          "links    1, 4        slaves not set  rate     1.0000  A 0.50  Mann-Whitney\n"
+          "slaves   not set, 2  links = 4       rate     0.7000  A 0.28  Mann-Whitney\n");
+}
+
 TEST_CASE("rank tests hold the other settings, and leave out figures that no seed changes") {
     StudyResults results(StudySource{});
     for (std::uint64_t seed = 1; seed <= 3; ++seed)

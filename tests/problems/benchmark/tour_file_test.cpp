@@ -199,4 +199,7 @@ TEST_CASE("a problem is named by its file") {
     CHECK(&problems.find(name) == &problems.find(name));
     CHECK_THROWS_AS(problems.find("tsp"), UserError);
     CHECK_THROWS_AS(problems.find("vrp:x"), UserError);
+    CHECK_THROWS_WITH_AS(problems.find("tsp:"),
+                         "the problem \"tsp:\" names no file: expected tsp:FILE, a travelling-salesman file of TSPLIB",
+                         UserError);
 }
