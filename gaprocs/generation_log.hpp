@@ -15,8 +15,6 @@
 
 namespace placedpar {
 
-class Checkpoints; // gaprocs/checkpoints.hpp
-
 /// A generation of one search, or of all searches together. For a problem with an objective, the log has the values of
 /// the objective instead of the fitness. So if the objective is minimised, the best value is the least. An objective
 /// that is not a finite number is logged as the worst value: plus infinity if the objective is minimised, minus
