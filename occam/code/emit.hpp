@@ -64,7 +64,9 @@ public:
     /// Loads the address of a label.
     void address(Label);
     void mark(Label);
+    /// Begins the code for a place in the source.
     void line(const Place&);
+    const Place& place() const { return place_; }
     void name(std::string);
     /// States the meaning of an error of the preceding instruction, in the form that transputer::print_error() reads.
     /// In the text, {w} stands for the word in the next of these cells, and {l} for the INT64. REQUIRES: the cells
@@ -84,6 +86,7 @@ private:
     };
     CodeBuffer* buffer_ = nullptr;
     Label labels_ = 1;
+    Place place_ = {};
     struct ErrorMeaning {
         std::string text;
         std::vector<Cell> cells;

@@ -83,6 +83,21 @@ private:
         T value_;
     };
 
+    /// Gives code a place in the source until the end of a scope. Then the place before it applies again.
+    class Placed {
+    public:
+        Placed(Emitter& emitter, const Place& place) : emitter_(emitter), before_(emitter.place()) {
+            emitter.line(place);
+        }
+        ~Placed() { emitter_.line(before_); }
+        Placed(const Placed&) = delete;
+        Placed& operator=(const Placed&) = delete;
+
+    private:
+        Emitter& emitter_;
+        Place before_;
+    };
+
     // generator.cpp: instructions and workspace
     [[noreturn]] void refuse(const Place&, const std::string& what) const;
     void op(Operation, std::int64_t operand = 0);
@@ -396,7 +411,6 @@ private:
     Frame* frame_ = nullptr;
     double weight_ = 1;               ///< rough estimate of how often the present code is executed
     std::string path_;                ///< name of the enclosing code, ending in a slash
-    std::uint32_t line_ = 0;          ///< line of the present statement
     int stack_ = 0;                   ///< words on the register stack
     int reals_ = 0;                   ///< values on the stack of the floating-point unit
     bool guards_are_enabled_ = false; ///< the present code is between the instructions alt and altend
