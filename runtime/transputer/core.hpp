@@ -65,7 +65,8 @@ public:
                  ///< this time. Also returned after an effect on a link, because other devices may then act on the
                  ///< core.
         idle,    ///< no process can run before a timer is due or a link wakes one
-        stopped  ///< see stopped()
+        stopped, ///< see stopped()
+        left     ///< the watcher ends the run
     };
     /// The actions of links that are possible before the core reaches the limit of run().
     enum class Links {
@@ -195,6 +196,8 @@ public:
         /// Called before an instruction is executed. `at`: address of the instruction's first byte, including its
         /// prefixes.
         virtual void begins(Word at) = 0;
+        /// Called after begins(). Returns whether the run ends before this instruction.
+        virtual bool ends_run() const { return false; }
         /// Called after an instruction was executed and did not stop the core. Unless it is an instruction of the
         /// scheduler, it is the instruction that began last. An instruction of the scheduler has its effect only now,
         /// after its cycles; other processes may have interrupted it. `spent`: half cycles, without waits for a channel
@@ -258,6 +261,7 @@ private:
     void page_is_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes and time; channels.cpp; core_memory.cpp: memory, moves, errors
+    bool watcher_ends_run();
     void execute_until(HalfCycles, bool at_once);
     void act_on(Left);
     bool finish_pending(HalfCycles limit, Links, Pause&);
