@@ -11,8 +11,8 @@
 
 namespace placedpar::transputer {
 
-/// Counts how often each instruction of a core was executed, and its half cycles. If an instruction is overwritten, the
-/// old and the new instruction are counted separately.
+/// Counts how often each instruction of a core began, and the half cycles of those that have ended. If an instruction
+/// is overwritten, the old and the new instruction are counted separately.
 class Listing final : public Core::Watcher {
 public:
     /// An instruction that was executed.
