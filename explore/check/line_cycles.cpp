@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <span>
 #include <utility>
 
@@ -63,14 +62,9 @@ void add_instructions(LineCycles& line, std::span<const std::uint8_t> code, tran
 std::map<std::size_t, LineCycles> lines_of(const occam::Code& code, const occam::Program& program,
                                            const std::string& path, transputer::Model model) {
     std::map<std::size_t, LineCycles> lines;
-    std::set<std::uint32_t> ends{code.constants}; // where the code of a line can end
-    for (const occam::CodeLine& row : code.lines)
-        ends.insert(row.offset);
-    for (const occam::CodeName& name : code.names)
-        ends.insert(name.offset);
-    for (const occam::CodeLine& row : code.lines) {
-        const auto end = ends.upper_bound(row.offset);
-        const std::uint32_t until = end == ends.end() ? row.offset : *end;
+    for (std::size_t i = 0; i < code.lines.size(); ++i) {
+        const occam::CodeLine& row = code.lines[i];
+        const std::uint32_t until = i + 1 < code.lines.size() ? code.lines[i + 1].offset : code.constants;
         if (row.place.line > 0 && row.offset < until && program.files[row.place.file]->path() == path)
             add_instructions(lines[row.place.line], std::span(code.bytes).subspan(row.offset, until - row.offset),
                              model);

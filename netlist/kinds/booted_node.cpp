@@ -109,9 +109,8 @@ void BootedNode::watch_code() {
     if (network().host.lists_code)
         listing_ = std::make_unique<transputer::Listing>(device_.core());
     if (network().host.steps && !node().boot_file.empty())
-        stepper_ = std::make_unique<transputer::Stepper>(
-            device_.core(), lines(), *network().host.steps, [](std::string_view text) { print_out(std::string(text)); },
-            [this] { simulation().interrupt(); });
+        stepper_ = std::make_unique<transputer::Stepper>(device_.core(), lines(), *network().host.steps,
+                                                         [](std::string_view text) { print_out(std::string(text)); });
 }
 
 BootedNode::~BootedNode() = default;

@@ -185,7 +185,8 @@ bool visit_values(const std::vector<const Declaration*>& indices, std::size_t ne
     const std::optional<std::int64_t> step = replicator && replicator->step ? value_of(*replicator->step, values) : 1;
     if (!base || !count || !step)
         return visit_values(indices, next + 1, replicators, left, values, call);
-    for (std::int64_t i = 0; i < *count && left > 0; ++i) {
+    const std::int64_t times = count.value_or(0); // GCC 12 gives a false alarm about *count
+    for (std::int64_t i = 0; i < times && left > 0; ++i) {
         values[indices[next]] = *base + i * *step;
         if (!visit_values(indices, next + 1, replicators, left, values, call))
             return false;

@@ -63,7 +63,7 @@ void Generator::enable(const Alternation& a) {
 void Generator::enable(const Alternative& a) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
-    emitter_.line(a.at);
+    const Placed placed(emitter_, a.at);
     for (const DeclarationBox& each : a.declarations)
         declare(*each);
     stack_ = 0;
@@ -121,6 +121,7 @@ void Generator::disable(const Alternation& a, Nest& nest) {
 void Generator::disable(const Alternative& a, Nest& nest) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
+    const Placed placed(emitter_, a.at);
     for (const DeclarationBox& each : a.declarations)
         declare(*each);
     stack_ = 0;
@@ -152,7 +153,7 @@ void Generator::branch(const Branch& b) {
     const Kept vector(level_->vector_now);
     const Alternative& a = *b.alternative;
     mark(b.label);
-    emitter_.line(a.at);
+    const Placed placed(emitter_, a.at);
     stack_ = 0;
     for (const auto& [index, kept] : b.indices)
         bindings_[index] = {.cell = kept, .type = index->type};

@@ -37,8 +37,8 @@ void Generator::generate_routine(const Declaration& d, Routine& routine) {
     const Kept path(path_, routine.path);
     const Kept is_main(is_main_, &d == main_);
     const Kept is_library(is_library_, !routine.errors.empty());
+    const Placed placed(emitter_, d.at);
     generate_level(level, routine.entry, routine.path + d.name, [&] {
-        emitter_.line(d.at);
         bind_parameters(procedure ? procedure->parameters : function->parameters, level);
         if (procedure)
             process(*procedure->body);

@@ -263,6 +263,8 @@ void Generator::variant_input(const VariantInput& v) {
 void Generator::variant(const Expression& on, const Variant& v) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
+    const bool is_short = v.at.line == emitter_.place().line; // `c ? CASE tag; x` has the place of its first character
+    const Placed placed(emitter_, is_short ? emitter_.place() : v.at);
     stack_ = 0;
     for (const DeclarationBox& each : v.declarations)
         declare(*each);

@@ -9,6 +9,7 @@ namespace placedpar::occam {
 using transputer::Operation;
 
 void Generator::declare(const Declaration& d) {
+    const Placed placed(emitter_, d.start);
     if (const auto* variable = std::get_if<Variable>(&d.form))
         return declare_variable(d, *variable);
     if (const auto* abbreviation = std::get_if<Abbreviation>(&d.form))

@@ -150,7 +150,11 @@ void Emitter::address(Label label) {
 
 void Emitter::mark(Label label) { buffer_->push_back({.kind = CodeElement::Kind::mark, .to = label}); }
 
-void Emitter::line(const Place& place) { buffer_->push_back({.kind = CodeElement::Kind::line, .place = place}); }
+void Emitter::line(const Place& place) {
+    place_ = place;
+    if (buffer_ != nullptr) // a declaration outside of all procedures has no code
+        buffer_->push_back({.kind = CodeElement::Kind::line, .place = place});
+}
 
 void Emitter::name(std::string text) {
     buffer_->push_back({.kind = CodeElement::Kind::name, .value = static_cast<std::int64_t>(names_.size())});
@@ -203,7 +207,8 @@ Code Emitter::finish(const std::vector<const CodeBuffer*>& buffers, Label entry)
         if (element.kind == CodeElement::Kind::line) {
             if (!code.lines.empty() && code.lines.back().offset == layout.offset_at(i))
                 code.lines.pop_back();
-            code.lines.push_back({layout.offset_at(i), element.place});
+            if (code.lines.empty() || code.lines.back().place != element.place)
+                code.lines.push_back({layout.offset_at(i), element.place});
         } else if (element.kind == CodeElement::Kind::name) {
             code.names.push_back({layout.offset_at(i), names_[static_cast<std::size_t>(element.value)]});
         } else if (element.kind == CodeElement::Kind::error) {

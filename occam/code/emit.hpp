@@ -69,7 +69,9 @@ public:
     /// Loads the address of a label.
     void address(Label);
     void mark(Label);
+    /// Begins the code for a place in the source.
     void line(const Place&);
+    const Place& place() const { return place_; }
     void name(std::string);
     /// States what it means if the preceding instruction sets the error flag. The text has the form that
     /// transputer::print_error() reads. In it, {w} is replaced by the value of the next of these cells, and {l} by the
@@ -89,6 +91,7 @@ private:
     };
     CodeBuffer* buffer_ = nullptr;
     Label labels_ = 1;
+    Place place_ = {};
     struct ErrorMeaning {
         std::string text;
         std::vector<Cell> cells;

@@ -359,6 +359,7 @@ void Generator::value_process(const ValueProcess& values, const std::function<vo
         declare(*each);
     if (values.process)
         process(*values.process);
+    const Placed placed(emitter_, values.results_at);
     results();
 }
 

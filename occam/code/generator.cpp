@@ -22,7 +22,8 @@ void Generator::refuse(const Place& place, const std::string& what) const {
 void Generator::count(int effect) {
     stack_ = std::max(stack_ + effect, 0);
     if (stack_ > 3)
-        throw std::logic_error("an expression needs more than three registers, at line " + std::to_string(line_));
+        throw std::logic_error("an expression needs more than three registers, at line " +
+                               std::to_string(emitter_.place().line));
 }
 
 void Generator::op(Operation operation, std::int64_t operand) {

@@ -85,6 +85,21 @@ private:
         T value_;
     };
 
+    /// Gives code a place in the source until the end of a scope. Then the place before it applies again.
+    class Placed {
+    public:
+        Placed(Emitter& emitter, const Place& place) : emitter_(emitter), before_(emitter.place()) {
+            emitter.line(place);
+        }
+        ~Placed() { emitter_.line(before_); }
+        Placed(const Placed&) = delete;
+        Placed& operator=(const Placed&) = delete;
+
+    private:
+        Emitter& emitter_;
+        Place before_;
+    };
+
     // generator.cpp: instructions and workspace
     [[noreturn]] void refuse(const Place&, const std::string& what) const;
     void op(Operation, std::int64_t operand = 0);
@@ -400,11 +415,10 @@ private:
     std::deque<Type> arrays_; ///< types of segments and of words for channels
     Level* level_ = nullptr;
     Frame* frame_ = nullptr;
-    double weight_ = 1;      ///< rough estimate of how often the present code is executed, for the layout of workspaces
-    std::string path_;       ///< names of the procedures that contain the present code, each followed by a slash
-    std::uint32_t line_ = 0; ///< line of the present statement in the source
-    int stack_ = 0;          ///< number of words on the register stack
-    int reals_ = 0;          ///< number of values on the stack of the floating-point unit
+    double weight_ = 1; ///< rough estimate of how often the present code is executed, for the layout of workspaces
+    std::string path_;  ///< names of the procedures that contain the present code, each followed by a slash
+    int stack_ = 0;     ///< number of words on the register stack
+    int reals_ = 0;     ///< number of values on the stack of the floating-point unit
     bool guards_are_enabled_ = false; ///< the present code is between the instructions alt and altend
     bool checked_ = false;            ///< an instruction since the last settle() may have set Error
 };

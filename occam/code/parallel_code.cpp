@@ -234,9 +234,12 @@ void Generator::generate_level(Level& level, Label start, std::string name, cons
     level.table = level.main.allocate(1);
     const bool is_called = level.link.area == Cell::Area::link;
     CodeBuffer* const before = emitter_.redirect(&rest);
+    const Place place = emitter_.place();
+    emitter_.line(place);
     clear_error();
     body();
     emitter_.redirect(&head);
+    emitter_.line(place);
     emitter_.name(std::move(name));
     mark(start);
     if (is_called)

@@ -10,9 +10,7 @@ using transputer::Operation;
 void Generator::process(const Process& p) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
-    if (!std::holds_alternative<Sequence>(p.form) && !std::holds_alternative<Scope>(p.form))
-        emitter_.line(p.at);
-    line_ = p.at.line;
+    const Placed placed(emitter_, p.at);
     stack_ = 0;
     struct Visitor {
         Generator& g;
@@ -302,7 +300,7 @@ bool Generator::choices(const If& i, Label done, bool is_last) {
 bool Generator::choice(const Choice& c, Label done, bool is_last) {
     const Kept top(frame_->top);
     const Kept vector(level_->vector_now);
-    emitter_.line(c.at);
+    const Placed placed(emitter_, c.at);
     stack_ = 0;
     for (const DeclarationBox& each : c.declarations)
         declare(*each);

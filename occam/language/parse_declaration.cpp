@@ -62,11 +62,20 @@ void Parser::parse_declarations(std::vector<DeclarationBox>& declarations, bool 
         if (first.indentation > indentation && !std::exchange(indentation_in_doubt_, true))
             reading_.reporter.error(at(first), "this declaration is indented further than the declaration above");
         try {
-            parse_declaration(declarations);
+            parse_with_start(declarations);
         } catch (const LineRefused&) {
             recover(first.indentation, line);
         }
     }
+}
+
+/// Reads declarations such as `INT a, b:`, and notes where they begin.
+void Parser::parse_with_start(std::vector<DeclarationBox>& declarations) {
+    const Place start = peek().at;
+    std::size_t next = declarations.size();
+    parse_declaration(declarations);
+    for (; next < declarations.size(); ++next)
+        declarations[next]->start = start;
 }
 
 void Parser::parse_declaration(std::vector<DeclarationBox>& declarations) {

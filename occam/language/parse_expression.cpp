@@ -365,6 +365,7 @@ void Parser::parse_value_body(ValueProcess& value, const Word& head) {
         const Word first = peek();
         if (accept_word("RESULT")) {
             has_results = true;
+            value.results_at = first.at;
             value.results = parse_expressions();
             if (!peek().is(")"))
                 end_line("the results");

@@ -28,8 +28,8 @@ If Parser::parse_if() {
 Choice Parser::parse_choice() {
     const Nesting nesting(*this);
     Choice choice;
-    choice.at = peek().at;
     parse_declarations(choice.declarations, true);
+    choice.at = peek().at;
     if (peek().is_word("IF")) {
         choice.nested = std::make_unique<If>(parse_if());
         return choice;
@@ -62,8 +62,8 @@ Alternation Parser::parse_alternation(bool has_priority) {
 Alternative Parser::parse_alternative() {
     const Nesting nesting(*this);
     Alternative alternative;
-    alternative.at = peek().at;
     parse_declarations(alternative.declarations, true);
+    alternative.at = peek().at;
     const Word head = peek();
     if (head.is_word("ALT") || (head.is_word("PRI") && peek(1).is_word("ALT"))) {
         alternative.guard = std::make_unique<Alternation>(parse_alternation(head.is_word("PRI")));
@@ -121,8 +121,8 @@ void Parser::parse_variants(VariantInput& input, const Word& head) {
 Variant Parser::parse_variant() {
     const Nesting nesting(*this);
     Variant variant;
-    variant.at = peek().at;
     parse_declarations(variant.declarations, true);
+    variant.at = peek().at;
     const Word head = peek();
     parse_header([&] { parse_tag(variant); });
     variant.process = parse_body(head);

@@ -102,6 +102,7 @@ void Parser::parse_function(std::vector<DeclarationBox>& declarations) {
         expect_name("a function");
         function.parameters = parse_parameters();
         is_short = accept_word("IS");
+        function.body.results_at = peek().at;
         if (is_short)
             function.body.results = parse_expressions();
         else

@@ -150,10 +150,10 @@ Process Parser::parse_case() {
 }
 
 void Parser::parse_option(Case& process) {
-    const Word first = peek();
-    Option option{.at = first.at, .declarations = {}, .values = {}, .process = nullptr};
+    Option option;
     parse_declarations(option.declarations, true);
     const Word head = peek();
+    option.at = head.at;
     parse_header([&] {
         if (!accept_word("ELSE"))
             option.values = parse_expressions();

@@ -143,7 +143,7 @@ std::vector<DeclarationBox> Parser::parse_file() {
             if (is_configuration_part())
                 parse_configuration_part(declarations);
             else if (is_declaration(false))
-                parse_declaration(declarations);
+                parse_with_start(declarations);
             else
                 refuse_statement(first);
         } catch (const LineRefused&) {

@@ -155,6 +155,7 @@ private:
     bool is_declaration(bool or_expression) const;
     bool is_foreign_statement() const;
     void parse_declarations(std::vector<DeclarationBox>&, bool or_expression);
+    void parse_with_start(std::vector<DeclarationBox>&);
     void parse_declaration(std::vector<DeclarationBox>&);
     void parse_typed(std::vector<DeclarationBox>&);
     void parse_value(std::vector<DeclarationBox>&);

@@ -163,6 +163,7 @@ struct Call {
 struct ValueProcess {
     std::vector<DeclarationBox> declarations;
     ProcessBox process;
+    Place results_at; ///< the word RESULT, or the first character after IS
     std::vector<Expression> results;
 };
 /// Holds `MOSTPOS INT`, `MOSTNEG INT` or `BYTESIN (T)`.
@@ -220,7 +221,7 @@ struct Delay {
 /// Holds one branch of `c ? CASE`: the tag and items `tag; x`, and the process below them. The short form `c ? CASE
 /// tag; x` has one branch, without a process.
 struct Variant {
-    Place at;
+    Place at;                                 ///< the tag
     std::vector<DeclarationBox> declarations; ///< before the tag
     std::string tag;
     std::vector<Item> items;
@@ -251,7 +252,7 @@ struct Parallel {
 struct If;
 /// Holds a condition and its process, or a nested IF.
 struct Choice {
-    Place at;
+    Place at;                                 ///< the condition, or the nested IF
     std::vector<DeclarationBox> declarations; ///< before the condition
     ExpressionBox condition;                  ///< null if `nested`
     ProcessBox process;                       ///< null if `nested`
@@ -262,7 +263,7 @@ struct If {
     std::vector<Choice> choices;
 };
 struct Option {
-    Place at;
+    Place at; ///< the first value, or ELSE
     std::vector<DeclarationBox> declarations;
     std::vector<Expression> values; ///< empty for ELSE
     ProcessBox process;
@@ -278,7 +279,7 @@ struct While {
 struct Alternation;
 /// Holds a guard and its process, or a nested ALT. In the guard `condition & SKIP`, `guard` is Skip.
 struct Alternative {
-    Place at;
+    Place at; ///< the guard, or the nested ALT
     std::vector<DeclarationBox> declarations;
     ExpressionBox condition; ///< null without `condition &`
     std::variant<Skip, Input, Delay, VariantInput, std::unique_ptr<Alternation>> guard;
@@ -437,7 +438,8 @@ struct Predefined {
 enum class Direction : std::uint8_t { unused, input, output };
 
 struct Declaration {
-    Place at; ///< place of the name
+    Place at;         ///< place of the name
+    Place start = {}; ///< the first character of a declaration that is a statement of its own
     std::string name;
     std::variant<Variable, Abbreviation, Retyping, Parameter, ReplicatorIndex, Procedure, Function, Protocol, DataType,
                  Placement, Use, Predefined, ConfigurationPart>

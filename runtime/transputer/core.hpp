@@ -65,7 +65,8 @@ public:
         on_time, ///< the next effect concerns links, queues or clocks, so call run() again at its time; also returned
                  ///< after an effect on a link, because other devices may then act on the core
         idle,    ///< no process can run before a timer is due or a link makes a process ready
-        stopped  ///< see stopped()
+        stopped, ///< see stopped()
+        left     ///< the watcher ends the run
     };
     /// What links may do to the core before it reaches the limit of run().
     enum class Links {
@@ -196,6 +197,8 @@ public:
         /// Called before an instruction is executed. `at`: address of the instruction's first byte, including its
         /// prefixes.
         virtual void begins(Word at) = 0;
+        /// Called after begins(). Returns whether the run ends before this instruction.
+        virtual bool ends_run() const { return false; }
         /// Called after an instruction was executed, if it did not stop the core. Usually this is the instruction that
         /// began last. However, other processes may interrupt an instruction of the scheduler, which has its effect
         /// after its cycles. `spent`: half cycles, without waits for a channel or a time, and without interrupts.
@@ -259,6 +262,7 @@ private:
     void page_is_written(Block&, const Entry&, Word offset, Word bytes);
 
     // scheduler.cpp: processes and time; channels.cpp; core_memory.cpp: memory, moves, errors
+    bool watcher_ends_run();
     void execute_until(HalfCycles, bool at_once);
     void act_on(Left);
     bool finish_pending(HalfCycles limit, Links, Pause&);

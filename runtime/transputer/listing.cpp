@@ -150,6 +150,7 @@ void Listing::begins(Word at) {
     Place& here = place(offset);
     if (here.now.bytes.empty() || !is_in_memory(here.now.bytes, offset))
         code_has_changed(here, offset);
+    ++here.now.times;
 }
 
 /// Continues the count of the new code if this code was there before, otherwise begins a new count.
@@ -174,9 +175,7 @@ void Listing::executed(Word at, HalfCycles spent) {
     const Word offset = NodeMemory::offset_of(at);
     if (offset >= core_.memory().size())
         return; // the instruction began before the listing
-    Count& count = place(offset).now;
-    ++count.times;
-    count.spent += spent;
+    place(offset).now.spent += spent;
 }
 
 std::vector<Listing::Line> Listing::lines() const {

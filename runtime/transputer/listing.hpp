@@ -11,8 +11,8 @@
 
 namespace placedpar::transputer {
 
-/// Counts how often an emulated transputer executed each instruction, and the time that it took. If an instruction is
-/// overwritten, the old and the new instruction are counted separately.
+/// Counts how often an emulated transputer began each instruction, and the time of the instructions that have ended. If
+/// an instruction is overwritten, the old and the new instruction are counted separately.
 class Listing final : public Core::Watcher {
 public:
     /// An instruction that was executed.

@@ -78,6 +78,8 @@ void Node::run() {
     } while (pause == Core::Pause::on_time && core_.local_time() == kernel_.now());
     if (pause == Core::Pause::idle)
         return be_idle();
+    if (pause == Core::Pause::left && core_.local_time() <= kernel_.now())
+        return kernel_.interrupt();
     if (pause == Core::Pause::stopped && core_.local_time() <= kernel_.now()) {
         if (core_.stopped() == Stopped::by_analyse)
             return end_analysis();

@@ -99,8 +99,18 @@ Core::Pause Core::run(HalfCycles limit, Links links) {
                 return pause;
             continue;
         }
+        if (watcher_ends_run())
+            return Pause::left;
         execute_until(std::min(limit, due_), links != Links::may_wake && !is_watched() && !is_analysed_);
     }
+}
+
+/// Tells the watcher, if there is one, which instruction begins. Returns whether the watcher ends the run.
+bool Core::watcher_ends_run() {
+    if (!watcher_)
+        return false;
+    watcher_->begins(registers_.instruction);
+    return watcher_->ends_run();
 }
 
 /// Executes up to a local time, or one instruction if instructions are watched. `at_once`: instructions of the
@@ -110,7 +120,6 @@ void Core::execute_until(HalfCycles until, bool at_once) {
         return act_on(execute(until, at_once));
     const Word at = registers_.instruction;
     const HalfCycles began = local_;
-    watcher_->begins(at);
     const Left left = execute(local_ + 1, false);
     act_on(left);
     if (left == Left::scheduling) {

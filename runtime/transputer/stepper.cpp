@@ -47,8 +47,8 @@ std::optional<Word> address_in(std::string_view text) {
 } // namespace
 
 Stepper::Stepper(Core& core, const CodeLines& lines, std::istream& commands,
-                 std::function<void(std::string_view)> print, std::function<void()> quit)
-    : core_(core), lines_(lines), commands_(commands), print_(std::move(print)), quit_(std::move(quit)) {
+                 std::function<void(std::string_view)> print)
+    : core_(core), lines_(lines), commands_(commands), print_(std::move(print)) {
     core.watch(this);
 }
 
@@ -59,12 +59,7 @@ void Stepper::begins(Word at) {
     for (std::string line; std::getline(commands_, line);)
         if (obey(line))
             return;
-    leave();
-}
-
-void Stepper::leave() {
     has_left_ = true;
-    quit_();
 }
 
 bool Stepper::obey(const std::string& line) {
@@ -76,7 +71,7 @@ bool Stepper::obey(const std::string& line) {
     if (command.empty())
         return false;
     if (command == "quit")
-        return leave(), true;
+        return has_left_ = true;
     if (command == "c")
         return true;
     if (command == "s" && (first.empty() || count.value_or(0) > 0)) {

@@ -17,22 +17,21 @@ namespace placedpar::transputer {
 /// hexadecimal, such as #80000070.
 class Stepper final : public Core::Watcher {
 public:
-    /// Begins to watch the core. `lines` names places in the code. `print` is called with lines of text. `quit` is
-    /// called once, at the command `quit` or at the end of the commands. Afterwards the core does not stop any more.
-    /// REQUIRES: the stepper and all arguments stay at their addresses during the run.
-    Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print,
-            std::function<void()> quit);
+    /// Begins to watch the core. `lines` names places in the code. `print` is called with lines of text. The command
+    /// `quit` and the end of the commands end the run before the next instruction. REQUIRES: the stepper and all
+    /// arguments stay at their addresses during the run.
+    Stepper(Core&, const CodeLines& lines, std::istream& commands, std::function<void(std::string_view)> print);
     Stepper(const Stepper&) = delete;
     Stepper& operator=(const Stepper&) = delete;
 
 private:
     void begins(Word at) override;
+    bool ends_run() const override { return has_left_; }
     void executed(Word, HalfCycles) override {}
 
     /// Carries out a command. Returns whether the core continues after the command.
     bool obey(const std::string& line);
     void break_at(const std::string& address);
-    void leave();
 
     std::string here() const;
     std::string code(std::uint64_t lines) const;
@@ -43,7 +42,6 @@ private:
     const CodeLines& lines_;
     std::istream& commands_;
     std::function<void(std::string_view)> print_;
-    std::function<void()> quit_;
     std::set<Word> breaks_;
     std::uint64_t steps_ = 1; ///< instructions until the next stop
     bool has_left_ = false;

@@ -149,8 +149,7 @@ void boot_transputers(const std::string& text) {
     if (machine.has(0))
         listing.emplace(pair.node(0).core());
     else if (machine.has(1))
-        stepper.emplace(
-            pair.node(0).core(), none, commands, [](std::string_view) {}, [&] { pair.simulation().interrupt(); });
+        stepper.emplace(pair.node(0).core(), none, commands, [](std::string_view) {});
     if (machine.has(2))
         pair.node(1).run_instruction_by_instruction();
     if (machine.has(3))

@@ -120,7 +120,8 @@ public:
             switch (
                 core.run(until - base, punctual ? transputer::Core::Links::may_wake : transputer::Core::Links::rest)) {
             case transputer::Core::Pause::limit:
-            case transputer::Core::Pause::stopped: return;
+            case transputer::Core::Pause::stopped:
+            case transputer::Core::Pause::left: return;
             case transputer::Core::Pause::on_time: break;
             case transputer::Core::Pause::idle:
                 if (core.next_timer() == Time::max() || core_time() >= until)

@@ -22,7 +22,7 @@ struct UnusedLinks : transputer::LinkEngines {
     void reset(int) override {}
 };
 
-/// Returns what the stepper prints for a program and a script. "|" stands for the call of `quit`.
+/// Returns what the stepper prints for a program and a script. "|" stands for the end of the run by the stepper.
 std::string stepped(std::string_view source, const std::string& script) {
     constexpr std::uint32_t at = 0x80000100, workspace = 0x80000200;
     UnusedLinks links;
@@ -32,10 +32,8 @@ std::string stepped(std::string_view source, const std::string& script) {
     std::istringstream commands(script);
     std::string printed;
     const transputer::CodeLines none;
-    transputer::Stepper stepper(
-        core, none, commands, [&](std::string_view text) { printed += text; }, [&] { printed += "|"; });
-    core.run(1'000'000);
-    return printed;
+    transputer::Stepper stepper(core, none, commands, [&](std::string_view text) { printed += text; });
+    return core.run(1'000'000) == Core::Pause::left ? printed + "|" : printed;
 }
 
 constexpr std::string_view counting = R"(
