@@ -195,7 +195,8 @@ TEST_CASE("a difference with which A is refused is shown with the reason, and th
     const NetlistComparison compared = files.compared();
     REQUIRE(compared.alone.size() == 2);
     CHECK(compared.alone[1].what == "the mapping of B");
-    CHECK(compared.alone[1].refused == "this does not fit the rest of A: the name \"c\" is undefined"); // without a line
+    CHECK(compared.alone[1].refused ==
+          "this does not fit the rest of A: the name \"c\" is undefined"); // without a line
     CHECK_FALSE(compared.alone[1].completed());
     const std::string text = print_compared(compared);
     CHECK(has_text(text, "not alone  the mapping of B: "));
