@@ -243,7 +243,7 @@ void Generator::call_with(Routine& routine, Arguments words) {
     settle();
     if (moved == 0)
         frame_->need_low(low); // again, since loading the words may have allocated temporaries
-    call_moved(routine.entry, moved, routine.errors);
+    call_moved(routine.entry, moved, {routine.errors, {}});
     stack_ = 0;
     frame_->need_below(level.need() + moved);
     if (level.main.starters() > 0 && std::ranges::find(frame_->calls, &level) == frame_->calls.end())
@@ -256,13 +256,13 @@ void Generator::call_with(Routine& routine, Arguments words) {
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
 /// Generates a call with the workspace moved down by `moved` words. `errors` tells what an error of the routine means,
-/// if errors are reported at the call; otherwise it is "".
-void Generator::call_moved(Label entry, int moved, const std::string& errors) {
+/// if errors are reported at the call; otherwise its text is "".
+void Generator::call_moved(Label entry, int moved, const ErrorText& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);
     emitter_.branch(Operation::call, entry);
-    if (!errors.empty())
-        fails(errors);
+    if (!errors.text.empty())
+        fails(errors, moved);
     if (moved > 0)
         op(Operation::ajw, moved);
 }

@@ -69,9 +69,10 @@ public:
     const Place& place() const { return place_; }
     void name(std::string);
     /// States the meaning of an error of the preceding instruction, in the form that transputer::print_error() reads.
-    /// In the text, {w} stands for the word in the next of these cells, and {l} for the INT64. REQUIRES: the cells
-    /// belong to the level of `current`.
-    void error(std::string text, std::vector<Cell> cells, const Frame& current);
+    /// In the text, {w} stands for the word in the next of these cells, {l} for the INT64, and {/l} for the kind of an
+    /// error of a division by the INT64. `moved`: the words by which the workspace of `current` is moved down.
+    /// REQUIRES: the cells belong to the level of `current`.
+    void error(std::string text, std::vector<Cell> cells, const Frame& current, int moved = 0);
     /// Returns the label of constant bytes, which are stored after the code.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
 
@@ -91,6 +92,7 @@ private:
         std::string text;
         std::vector<Cell> cells;
         const Frame* frame;
+        int moved;
         std::string with_offsets() const;
     };
     std::vector<std::string> names_;
