@@ -1,4 +1,4 @@
-"""Tests what the program does with booted transputers: listings, steps, faults, and real boards."""
+"""Tests what the program does with booted transputers: listings, faults, and real boards."""
 
 import pathlib
 import re
@@ -30,21 +30,6 @@ class Booted(unittest.TestCase):
         self.assertRegex(done.stdout, r"root +32 +2  exited with success")
         self.assertIn("\n32 instructions of a T800, ", done.stdout)  # with the last `in`, which has not ended
         self.assertRegex(done.stdout, r"#80000070 .* ajw .* 1 ")
-
-    def stepped(self, script):
-        return subprocess.run([PROGRAM, "run", self.file, "--step"], input=script, capture_output=True, text=True, timeout=60, check=False)
-
-    def test_a_stepped_run_ends_as_an_unwatched_one(self):
-        stepped = self.stepped("s 2\nr\nc\n")
-        self.assertEqual(stepped.returncode, 0, stepped.stderr)
-        for text in ("Iptr #", "\nHello from a transputer!!\n", placedpar("run", self.file).stdout.split("Hello from a transputer!!\n")[1]):
-            self.assertIn(text, stepped.stdout)
-
-    def test_a_stepped_run_ends_at_the_last_step(self):
-        for steps, script in ((0, "quit\n"), (1, "s\nquit\n"), (2, "s 2\nquit\n"), (5, "s 5\nquit\n"), (10, "s 10\n")):
-            stdout = self.stepped(script).stdout
-            self.assertRegex(stdout, rf"root +{steps} +0  runs")
-            self.assertIn(f"hello.btl: interrupted at {re.findall('^([0-9.]+ us)  #', stdout, re.M)[-1]}\n", stdout)
 
     def test_a_fault_halts_a_transputer_that_runs_its_own_code(self):
         netlist = self.folder / "net.cfs"
