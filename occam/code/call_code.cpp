@@ -244,8 +244,8 @@ void Generator::call_with(Routine& routine, Arguments words) {
         words[i].load();
     settle();
     if (moved == 0)
-        frame_->need_low(low); // called again, for temporaries that the loading of the words has allocated
-    call_moved(routine.entry, moved, routine.errors);
+        frame_->need_low(low); // a second call, for temporaries that the loading of the words has allocated
+    call_moved(routine.entry, moved, {routine.errors, {}});
     stack_ = 0;
     frame_->need_below(level.need() + moved);
     if (level.main.starters() > 0 && std::ranges::find(frame_->calls, &level) == frame_->calls.end())
@@ -257,14 +257,14 @@ void Generator::call_with(Routine& routine, Arguments words) {
 /// call at the usual place would overwrite.
 int Generator::words_moved(int low) const { return guards_are_enabled_ ? words_of_alternation + low : 0; }
 
-/// Generates a call with the workspace pointer moved down by `moved` words. `errors` tells what an error in a library
-/// routine means, since reports show the place of the call; "" for a routine of the program.
-void Generator::call_moved(Label entry, int moved, const std::string& errors) {
+/// Generates a call with the workspace pointer moved down by `moved` words. If reports show errors of the routine at
+/// the place of the call, `errors` tells what an error means; otherwise its text is "".
+void Generator::call_moved(Label entry, int moved, const ErrorText& errors) {
     if (moved > 0)
         op(Operation::ajw, -moved);
     emitter_.branch(Operation::call, entry);
-    if (!errors.empty())
-        fails(errors);
+    if (!errors.text.empty())
+        fails(errors, moved);
     if (moved > 0)
         op(Operation::ajw, moved);
 }

@@ -127,6 +127,7 @@ void Generator::check_upper_half(const Cell& lower) {
     load(lower.after(1));
     constant(1);
     op(Operation::csub0);
+    fails({"the count {l} does not fit in INT", {lower}});
     settle();
     stack_ = 0;
 }
@@ -254,7 +255,7 @@ void Generator::variant_input(const VariantInput& v) {
         jump(done);
     }
     mark(otherwise);
-    stop_here("tag {w} was received, which this ? CASE does not list", {tag.cell});
+    stop_here({"tag {w} was received, which this ? CASE does not list", {tag.cell}});
     mark(done);
     clear_error();
 }

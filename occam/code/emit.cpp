@@ -161,9 +161,9 @@ void Emitter::name(std::string text) {
     names_.push_back(std::move(text));
 }
 
-void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& current) {
+void Emitter::error(std::string text, std::vector<Cell> cells, const Frame& current, int moved) {
     buffer_->push_back({.kind = CodeElement::Kind::error, .value = static_cast<std::int64_t>(errors_.size())});
-    errors_.push_back({std::move(text), std::move(cells), &current});
+    errors_.push_back({std::move(text), std::move(cells), &current, moved});
 }
 
 /// Returns the text in which each {w} or {l} also has the offset of its cell from the workspace pointer, in words:
@@ -172,8 +172,8 @@ std::string Emitter::ErrorMeaning::with_offsets() const {
     std::string result = text;
     std::size_t at = 0;
     for (const Cell& each : cells) {
-        at = std::min(result.find("{w}", at), result.find("{l}", at)) + 2;
-        result.insert(at, fmt::format("{:+}", coordinate_of(each) - frame->coordinate));
+        at = std::min(result.find("w}", at), result.find("l}", at)) + 1;
+        result.insert(at, fmt::format("{:+}", coordinate_of(each) - frame->coordinate + moved));
     }
     return result;
 }

@@ -74,9 +74,10 @@ public:
     const Place& place() const { return place_; }
     void name(std::string);
     /// States what it means if the preceding instruction sets the error flag. The text has the form that
-    /// transputer::print_error() reads. In it, {w} is replaced by the value of the next of these cells, and {l} by the
-    /// INT64 there. REQUIRES: the cells belong to the same procedure as `current`.
-    void error(std::string text, std::vector<Cell> cells, const Frame& current);
+    /// transputer::print_error() reads. In it, {w} stands for the value of the next of these cells, {l} for the INT64
+    /// there, and {/l} for the kind of an error of a division by this INT64. `moved`: number of words by which the
+    /// workspace pointer of `current` is moved down. REQUIRES: the cells belong to the same procedure as `current`.
+    void error(std::string text, std::vector<Cell> cells, const Frame& current, int moved = 0);
     /// Stores constant bytes after the code, and returns their label.
     Label constant(std::span<const std::uint8_t> bytes, bool aligned);
 
@@ -96,6 +97,7 @@ private:
         std::string text;
         std::vector<Cell> cells;
         const Frame* frame;
+        int moved;
         std::string with_offsets() const;
     };
     std::vector<std::string> names_;

@@ -281,6 +281,8 @@ void Generator::unary(const UnaryOperation& operation) {
         op(Operation::rev);
     }
     op(checked ? Operation::sub : Operation::diff);
+    if (checked && size_of(*operand.type) == 4)
+        fails("overflow: -({a})");
     fit(*operand.type, checked);
 }
 

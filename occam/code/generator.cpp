@@ -135,19 +135,19 @@ void Generator::clear_error() {
     }
 }
 
-void Generator::fails(std::string meaning, std::vector<Cell> cells) {
+void Generator::fails(ErrorText error, int moved) {
     if (is_library_)
         return emitter_.error("called from {w}", {level_->link.after(-1)}, *frame_);
-    emitter_.error(std::move(meaning), std::move(cells), *frame_);
+    emitter_.error(std::move(error.text), std::move(error.cells), *frame_, moved);
 }
 
-void Generator::stop_here(const std::string& why, const std::vector<Cell>& cells) {
+void Generator::stop_here(const ErrorText& why) {
     if (options_.mode != ErrorMode::stop) {
         op(Operation::seterr);
-        fails(why, cells);
+        fails(why);
     }
     op(Operation::stopp);
-    fails(why, cells);
+    fails(why);
     frame_->need_below(3);
 }
 

@@ -120,10 +120,17 @@ private:
     bool has_reals() const { return (transputer::only(options_.model) & transputer::with_reals) != 0; }
     void settle();
     void clear_error();
-    /// States what it means if the last instruction sets the error flag. In `meaning`, {w} is replaced by the value of
-    /// the next of these cells, and {l} by the INT64 there.
-    void fails(std::string meaning, std::vector<Cell> cells = {});
-    void stop_here(const std::string& why, const std::vector<Cell>& cells = {});
+    /// Holds what an error means. In the text, {w} stands for the word in the next of the cells, {l} for the INT64, and
+    /// {/l} for the kind of an error of a division by the INT64.
+    struct ErrorText {
+        std::string text;
+        std::vector<Cell> cells;
+    };
+    /// States what an error of the last instruction means. `moved`: words by which the workspace is moved down.
+    void fails(ErrorText, int moved = 0);
+    void fails(std::string meaning) { fails(ErrorText{std::move(meaning), {}}); }
+    void stop_here(const ErrorText& why);
+    void stop_here(const std::string& why) { stop_here(ErrorText{why, {}}); }
     void loop(const Cell& control, Label start, const std::function<void()>& body);
     Storage bytes_constant(const Type&, std::span<const std::uint8_t>);
 
@@ -209,6 +216,7 @@ private:
     struct Wide {
         std::optional<std::int64_t> constant = {};
         Cell cell = {};
+        bool is_sign = false; ///< the 0 from which a negation subtracts
     };
     enum class WideRoutine : std::uint8_t { multiply, divide, remainder };
     void load_part(const Wide&, int part);
@@ -222,7 +230,7 @@ private:
     void wide_difference(const Wide&, const Wide&, bool checked, const Cell& to);
     void wide_by_parts(const Wide&, const Wide&, transputer::Operation lower, transputer::Operation upper,
                        const Cell& to);
-    void wide_fails(const Wide&, const std::string& operation, const Wide&);
+    static ErrorText wide_error(const Wide&, const std::string& operation, const Wide&);
     void wide_product(const Wide&, const Wide&, const Cell& to);
     void wide_routine(WideRoutine, const Wide&, const Wide&, const Cell& to);
     void wide_shift(const BinaryOperation&, const Cell& to);
@@ -247,7 +255,8 @@ private:
     void real_comparison(const BinaryOperation&);
     void real_to_integer(const Conversion&, const Type&);
     void real_to_wide(const Conversion&, const Cell& to);
-    void check_reals(const char* meaning = "");
+    static std::string misfit(const Expression& operand, const std::string& type);
+    void check_reals(const std::string& meaning = "");
     void begin_reals();
 
     // routine_code.cpp
@@ -285,13 +294,9 @@ private:
     bool choice(const Choice&, Label done, bool is_last);
     void selection(const Case&);
     using Targets = std::vector<std::pair<std::int64_t, Label>>;
-    /// Holds the selector of a CASE as arguments for fails(), which tell its value in a message.
-    struct Selected {
-        std::string text;
-        std::vector<Cell> cells;
-    };
-    Selected go_to_target(const Expression& value, const Targets&, Label otherwise);
-    Selected select_wide(const Wide& selector, const Targets&, Label otherwise);
+    /// These two functions return the value of the selector of a CASE, for messages.
+    ErrorText go_to_target(const Expression& value, const Targets&, Label otherwise);
+    ErrorText select_wide(const Wide& selector, const Targets&, Label otherwise);
     void select(const Cell& selector, std::span<const Targets::value_type>, Label otherwise);
     void select_by_table(const Cell& selector, const Targets&, Label otherwise);
     void repetition(const While&);
@@ -386,7 +391,7 @@ private:
     void add_pointer(Arguments&, Storage, const Type& parameter);
     void call_with(Routine&, Arguments);
     int words_moved(int low) const;
-    void call_moved(Label entry, int moved, const std::string& errors = {});
+    void call_moved(Label entry, int moved, const ErrorText& errors);
     bool returns_in_register(const Function&) const;
     void call_function(const Expression&, const std::vector<Storage>& results);
 

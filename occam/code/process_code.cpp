@@ -358,7 +358,7 @@ void Generator::selection(const Case& c) {
             targets.emplace_back(*constant_of(value), labels.back());
     }
     std::ranges::sort(targets);
-    const Selected selected = go_to_target(c.selector, targets, otherwise);
+    const ErrorText selected = go_to_target(c.selector, targets, otherwise);
     bool has_else = false;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Option& option = c.options[i];
@@ -375,13 +375,13 @@ void Generator::selection(const Case& c) {
     }
     if (!has_else) {
         mark(otherwise);
-        stop_here("this CASE has no option for " + selected.text, selected.cells);
+        stop_here({"this CASE has no option for " + selected.text, selected.cells});
     }
     mark(done);
     clear_error();
 }
 
-Generator::Selected Generator::go_to_target(const Expression& value, const Targets& targets, Label otherwise) {
+Generator::ErrorText Generator::go_to_target(const Expression& value, const Targets& targets, Label otherwise) {
     if (is_wide(*value.type))
         return select_wide(wide(value), targets, otherwise);
     const Cell selector = temporary();
@@ -397,8 +397,9 @@ Generator::Selected Generator::go_to_target(const Expression& value, const Targe
     return {"{w}", {selector}};
 }
 
-/// Generates a jump to the option of a CASE whose value equals an INT64. Compares one option after the other.
-Generator::Selected Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
+/// Generates a jump to the option of a CASE whose value equals the selector, an INT64. Compares one option after the
+/// other.
+Generator::ErrorText Generator::select_wide(const Wide& selector, const Targets& targets, Label otherwise) {
     for (const auto& [value, label] : targets) {
         stack_ = 0;
         for (int part = 0; part < 2; ++part) {
@@ -411,7 +412,7 @@ Generator::Selected Generator::select_wide(const Wide& selector, const Targets& 
     }
     stack_ = 0;
     jump(otherwise);
-    return selector.constant ? Selected{std::to_string(*selector.constant), {}} : Selected{"{l}", {selector.cell}};
+    return selector.constant ? ErrorText{std::to_string(*selector.constant), {}} : ErrorText{"{l}", {selector.cell}};
 }
 
 /// Generates a jump to the option of a CASE whose value equals the selector, by a binary search.

@@ -59,11 +59,11 @@ void Generator::real_load(Storage location) {
     op(two_words ? Operation::fpldnldb : Operation::fpldnlsn);
 }
 
-void Generator::check_reals(const char* meaning) {
+void Generator::check_reals(const std::string& meaning) {
     if (!options_.run_time_checks)
         return;
     op(Operation::fpchkerror);
-    if (*meaning != 0)
+    if (!meaning.empty())
         fails(meaning);
 }
 
@@ -252,6 +252,16 @@ void Generator::real_comparison(const BinaryOperation& operation) {
         op(Operation::eqc, 0);
 }
 
+/// Returns what the error of a conversion to an integer means. If the real is computed for the conversion, an error of
+/// its computation is noticed only at the conversion.
+std::string Generator::misfit(const Expression& operand, const std::string& type) {
+    const bool is_computed = !constant_of(operand) && !std::holds_alternative<NameUse>(operand.form) &&
+                             !std::holds_alternative<Subscript>(operand.form) &&
+                             !std::holds_alternative<Call>(operand.form);
+    return "the real does not fit in " + type +
+           (is_computed ? ", or its computation failed: overflow, division by zero, an infinity or a NaN" : "");
+}
+
 /// Converts a real to an integer of at most 32 bits.
 void Generator::real_to_integer(const Conversion& converted, const Type& to) {
     begin_reals();
@@ -262,7 +272,7 @@ void Generator::real_to_integer(const Conversion& converted, const Type& to) {
     op(Operation::fprtoi32);
     const Cell result = temporary();
     load_address(result);
-    check_reals("the real does not fit in INT");
+    check_reals(misfit(*converted.operand, "INT"));
     op(Operation::fpstnli32);
     reals_ = 0;
     load(result);
@@ -281,7 +291,7 @@ void Generator::real_to_wide(const Conversion& converted, const Cell& to) {
         op(Operation::fpurz);
     op(Operation::fpint);
     op(Operation::fpuchki64);
-    check_reals("the real does not fit in INT64");
+    check_reals(misfit(*converted.operand, "INT64"));
     op(Operation::fpdup);
     load_address(to);
     op(Operation::fpstnli32);

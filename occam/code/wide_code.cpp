@@ -82,7 +82,7 @@ void Generator::wide_store(const Wide& value, Storage location) {
 void Generator::wide_unary(const UnaryOperation& operation, const Cell& to) {
     const Wide operand = wide(*operation.operand);
     if (operation.operation != Operator::bit_not)
-        return wide_difference({.constant = 0}, operand, operation.operation == Operator::negate, to);
+        return wide_difference({.constant = 0, .is_sign = true}, operand, operation.operation == Operator::negate, to);
     for (int part = 0; part < 2; ++part) {
         load_part(operand, part);
         op(Operation::not_);
@@ -98,19 +98,23 @@ void Generator::wide_difference(const Wide& a, const Wide& b, bool checked, cons
     wide_by_parts(a, b, Operation::ldiff, checked ? Operation::lsub : Operation::ldiff, to);
 }
 
-/// States what it means if the last instruction sets the error flag: this operation on two values of type INT64 has
-/// failed.
-void Generator::wide_fails(const Wide& a, const std::string& operation, const Wide& b) {
+/// Returns what an error of this operation on two values of type INT64 means. REQUIRES: a divisor is in the workspace.
+Generator::ErrorText Generator::wide_error(const Wide& a, const std::string& operation, const Wide& b) {
     const bool divides = operation == "/" || operation == "\\";
-    std::string meaning = divides ? "" : "overflow: ";
-    std::vector<Cell> cells;
-    for (const Wide* each : {&a, &b}) {
-        meaning += each->constant ? std::to_string(*each->constant) : "{l}";
-        meaning += each == &a ? " " + operation + " " : "";
-        if (!each->constant)
-            cells.push_back(each->cell);
-    }
-    fails(meaning + (divides ? " is not an INT64" : ""), std::move(cells));
+    ErrorText error{divides ? "{/l}: " : "overflow: ", {}};
+    if (divides)
+        error.cells.push_back(b.cell);
+    const auto add = [&](const Wide& value) {
+        error.text += value.constant ? std::to_string(*value.constant) : "{l}";
+        if (!value.constant)
+            error.cells.push_back(value.cell);
+    };
+    if (!a.is_sign)
+        add(a);
+    error.text += a.is_sign ? "-(" : " " + operation + " ";
+    add(b);
+    error.text += a.is_sign ? ")" : "";
+    return error;
 }
 
 /// Combines the lower words, then the upper words with the carry.
@@ -125,7 +129,7 @@ void Generator::wide_by_parts(const Wide& a, const Wide& b, Operation lower, Ope
     load_part(b, 1);
     op(upper);
     if (may_set_error(upper))
-        wide_fails(a, upper == Operation::ladd ? "+" : "-", b);
+        fails(wide_error(a, upper == Operation::ladd ? "+" : "-", b));
     stack_ = 1;
     settle();
     store(to.after(1));
@@ -278,7 +282,7 @@ void Generator::narrow(const Expression& operand, const Type& to) {
     load_part(value, 0);
     if (options_.range_checks) {
         op(Operation::csngl);
-        fails("{ba} does not fit in 32 bits");
+        fails("{ba} does not fit in " + name_of(plain(to)));
     } else {
         stack_ = 1;
     }

@@ -98,10 +98,8 @@ void Generator::wide_routine(WideRoutine which, const Wide& left, const Wide& ri
     load_address(a);
     settle();
     const int moved = words_moved(0);
-    call_moved(entry, moved);
     const char* const operation = which == WideRoutine::multiply ? "*" : which == WideRoutine::divide ? "/" : "\\";
-    if (moved == 0)
-        wide_fails({.cell = a}, operation, {.cell = b}); // the operands are in the caller's workspace
+    call_moved(entry, moved, wide_error({.cell = a}, operation, {.cell = b}));
     stack_ = 0;
     frame_->need_below(words_of_routine + moved);
     checked_ = true;

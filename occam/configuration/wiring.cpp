@@ -112,7 +112,7 @@ void Configurer::set_type(NodeState& state, const Element& node, Setting& settin
     const std::string type = type_in(*setting.value.constant->bytes);
     if (std::ranges::find(processor_types(), type) == processor_types().end())
         return checker_.report(setting.value.at, fmt::format("\"{}\" is not a type of processor", type),
-                               "the types are T414, T425, T400, T800 and T805");
+                               fmt::format("the types are {}", fmt::join(processor_types(), ", ")));
     state.type = type;
     state.type_at = setting.at;
 }

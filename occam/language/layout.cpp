@@ -92,9 +92,11 @@ ProcessBox Parser::parse_body(const Word& head) {
         is_empty = false;
         const Word first = peek();
         if (body && !std::exchange(has_more, true) && !indentation_in_doubt_)
-            reading_.reporter.error(at(first), fmt::format("only one process is allowed below \"{}\"", head.text),
-                                    "put SEQ or PAR above both, and indent them by two blanks more",
-                                    {{"the first process is here", reading_.location(body->at)}});
+            reading_.reporter.error(
+                at(first), fmt::format("only one process is allowed below \"{}\"", head.text),
+                fmt::format("put {} above both, and indent them by two blanks more",
+                            head.is_word("NETWORK") || head.is_word("MAPPING") ? "DO" : "SEQ or PAR"),
+                {{"the first process is here", reading_.location(body->at)}});
         Process process = parse_process();
         if (!body)
             body = std::make_unique<Process>(std::move(process));

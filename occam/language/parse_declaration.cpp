@@ -36,10 +36,35 @@ bool Parser::is_declaration(bool or_expression) const {
     }
     const Word& behind = peek(type + 1);
     const bool defines = behind.is(":") || behind.is(",") || behind.is_word("IS") || behind.is_word("RETYPES") ||
-                         behind.is_word("RESHAPES") || behind.is("?") || behind.is("!");
+                         behind.is_word("RESHAPES") || behind.is("?") || behind.is("!") ||
+                         is_array_by_mistake(type + 1);
     if (first.kind == WordKind::name || or_expression)
         return next.kind == WordKind::name && defines;
     return first.kind == WordKind::keyword || next.kind == WordKind::name || next.kind == WordKind::keyword;
+}
+
+/// Returns whether the words ahead are a size and the end of a declaration, as in the wrong declaration `INT a[8]:`.
+bool Parser::is_array_by_mistake(std::size_t ahead) const {
+    const std::size_t length = peek(ahead).is("[") ? bracket_length(ahead) : 0;
+    return length != 0 && (peek(ahead + length).is(":") || peek(ahead + length).is(","));
+}
+
+/// Returns a hint if the size of an array follows the name in a declaration; "" otherwise.
+std::string Parser::hint_for_array(const std::string& type, const Word& name) const {
+    return is_array_by_mistake(0)
+               ? fmt::format("write the size of an array in front of its type: {}{} {}:", written(bracket_length(0)),
+                             type, name.text)
+               : "";
+}
+
+/// Returns the text of the next words, with single blanks between names, numbers and keywords.
+std::string Parser::written(std::size_t words) const {
+    std::string text;
+    for (std::size_t i = 0; i < words; ++i) {
+        const bool joins = i == 0 || peek(i).kind == WordKind::symbol || peek(i - 1).kind == WordKind::symbol;
+        text += (joins ? "" : " ") + std::string(peek(i).text);
+    }
+    return text;
 }
 
 /// Returns whether a declaration or process of another language begins here, such as `BARRIER b:`.
@@ -114,10 +139,10 @@ DeclarationBox& Parser::add(std::vector<DeclarationBox>& declarations, const Wor
 }
 
 /// Expects the `:` that ends a declaration, and continues with the next line.
-void Parser::end_declaration(std::string_view what) {
+void Parser::end_declaration(std::string_view what, const std::string& hint) {
     if (!accept(":")) {
         if (peek().kind != WordKind::end)
-            refuse(peek(), fmt::format("\":\" is expected after {}: found {}", what, describe(peek())));
+            refuse(peek(), fmt::format("\":\" is expected after {}: found {}", what, describe(peek())), hint);
         reading_.reporter.error(at(peek()), fmt::format("\":\" is missing after {}", what));
     }
     end_line("\":\"");
@@ -196,18 +221,19 @@ bool Parser::parse_definition(std::vector<DeclarationBox>& declarations, const W
 
 /// Reads variables, abbreviations and retypings that begin with a type.
 void Parser::parse_typed(std::vector<DeclarationBox>& declarations) {
+    const std::string type_text = written(type_length(0));
     auto type = parse_type();
-    const Word first = peek();
+    Word name = peek();
     expect_name("a variable");
-    if (parse_definition(declarations, first, type, false))
+    if (parse_definition(declarations, name, type, false))
         return;
-    add(declarations, first, Variable{.type = type, .initial = nullptr});
+    add(declarations, name, Variable{.type = type, .initial = nullptr});
     while (accept(",")) {
-        const Word name = peek();
+        name = peek();
         expect_name("a variable");
         add(declarations, name, Variable{.type = type, .initial = nullptr});
     }
-    end_declaration("a declaration");
+    end_declaration("a declaration", hint_for_array(type_text, name));
 }
 
 void Parser::parse_initial(std::vector<DeclarationBox>& declarations) {
@@ -318,12 +344,14 @@ void Parser::parse_record(DataType& type, const Word& head) {
 
 void Parser::parse_fields(DataType& type, const Word& head) {
     parse_block(head, [&] {
+        const std::string type_text = written(type_length(0));
         const auto field_type = parse_type();
+        Word name;
         do {
-            const Place place = peek().at;
-            type.fields.push_back({place, expect_name("a field"), field_type});
+            name = peek();
+            type.fields.push_back({name.at, expect_name("a field"), field_type});
         } while (accept(","));
-        end_declaration("a field");
+        end_declaration("a field", hint_for_array(type_text, name));
     });
 }
 

@@ -54,6 +54,15 @@ std::optional<std::int64_t> number_for(std::string_view text, const Core& core, 
     return std::int64_t{signed_of(name == 'a' ? error.a : name == 'b' ? error.b : error.c)} + more;
 }
 
+/// Returns the text that stands for a text between two braces, without the braces.
+std::string text_for(std::string_view between, const Core& core, const ErrorNote& error) {
+    const bool is_kind = between.starts_with('/');
+    const auto number = number_for(between.substr(is_kind ? 1 : 0), core, error);
+    if (!number)
+        return fmt::format("{{{}}}", between);
+    return !is_kind ? std::to_string(*number) : *number == 0 ? "division by zero" : "overflow";
+}
+
 std::string with_numbers(std::string_view text, const Core& core, const ErrorNote& error) {
     std::string result;
     while (!text.empty()) {
@@ -61,9 +70,7 @@ std::string with_numbers(std::string_view text, const Core& core, const ErrorNot
         result += text.substr(0, begin);
         if (end == std::string_view::npos)
             return result += begin == std::string_view::npos ? "" : text.substr(begin);
-        const std::string_view between = text.substr(begin + 1, end - begin - 1);
-        const auto number = number_for(between, core, error);
-        result += number ? std::to_string(*number) : std::string(text.substr(begin, end - begin + 1));
+        result += text_for(text.substr(begin + 1, end - begin - 1), core, error);
         text.remove_prefix(end + 1);
     }
     return result;

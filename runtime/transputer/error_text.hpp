@@ -9,10 +9,11 @@ namespace placedpar::transputer {
 
 /// Describes the error of an instruction that set Error or stopped its process: "overflow: 2147483647 + 1".
 ///
-/// If the compiler's table has a text for the instruction, returns this text. In the table's text, {a}, {b} and {c}
-/// stand for the registers before the instruction, as signed numbers, and {ba} for the double word in B and A. {w+2}
-/// and {l+2} stand for the word and the double word that begin two words above the workspace. {a-1} is register A minus
-/// 1. Other braces stay as they are.
+/// Uses the table's text for the instruction, if there is one. In this text, {a}, {b} and {c} stand for the registers
+/// before the instruction, as signed numbers, and {ba} for the double word in two of them; {w+2} and {l+2} stand for
+/// the word and the double word that begin two words above the workspace. {a-1} is register A minus 1. {/l+2} says how
+/// a division by {l+2} fails: "division by zero" if this number is 0, otherwise "overflow". Other braces stay as they
+/// are.
 std::string print_error(const Core&, const ErrorNote&, const CodeLines&);
 
 /// Returns the instruction that a report of an error should name: usually the instruction with the error, but in a

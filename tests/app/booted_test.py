@@ -1,4 +1,4 @@
-"""Tests what the program does with booted transputers: listings, steps, faults, and real boards."""
+"""Tests what the program does with booted transputers: listings, faults, and real boards."""
 
 import pathlib
 import re
@@ -30,23 +30,6 @@ class Booted(unittest.TestCase):
         self.assertRegex(done.stdout, r"root +32 +2  exited with success")
         self.assertIn("\n32 instructions of a T800, ", done.stdout)  # with the last `in`, which has not ended
         self.assertRegex(done.stdout, r"#80000070 .* ajw .* 1 ")
-
-    def test_a_stepped_run_ends_as_an_unwatched_one(self):
-        stepped = subprocess.run([PROGRAM, "run", self.file, "--step"], input="s 2\nr\nc\n", capture_output=True, text=True,
-                                 timeout=60, check=False)
-        self.assertEqual(stepped.returncode, 0, stepped.stderr)
-        self.assertIn("Iptr #", stepped.stdout)
-        self.assertIn("\nHello from a transputer!!\n", stepped.stdout)
-        self.assertIn(placedpar("run", self.file).stdout.split("Hello from a transputer!!\n")[1], stepped.stdout)
-
-    def test_a_stepped_run_ends_at_the_last_step(self):
-        for steps in (0, 1, 2, 5, 10):
-            script = f"s {steps}\nquit\n" if steps else "quit\n"
-            done = subprocess.run([PROGRAM, "run", self.file, "--step"], input=script, capture_output=True, text=True,
-                                  timeout=60, check=False)
-            self.assertRegex(done.stdout, rf"root +{steps} +0  runs")
-            last = re.findall(r"^([0-9.]+ us)  #", done.stdout, re.M)[-1]
-            self.assertIn(f"hello.btl: interrupted at {last}\n", done.stdout)
 
     def test_a_fault_halts_a_transputer_that_runs_its_own_code(self):
         netlist = self.folder / "net.cfs"

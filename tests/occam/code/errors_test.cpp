@@ -49,7 +49,7 @@ constexpr RunTimeError run_time_errors[] = {
     {"x := ((zero - 2147483647) - 1) - 5", "overflow: -2147483648 - 5"},
     {"x := (MOSTNEG INT) - (x + zero)", "overflow: -2147483648 - 10"},
     {"x := (x * 1000) * (x * 1000000)", "overflow: 10000 * 10000000"},
-    {"x := -((MOSTNEG INT) + zero)", "overflow: 0 - -2147483648"},
+    {"x := -((MOSTNEG INT) + zero)", "overflow: -(-2147483648)"},
     {"x := 1 << (x + 23)", "the shift count is 33, but must be 0 to 32"},
     {"b := BYTE (x + 246)", "256 does not fit in BYTE"},
     {"b := BYTE (zero - 1)", "-1 does not fit in BYTE"},
@@ -58,7 +58,11 @@ constexpr RunTimeError run_time_errors[] = {
     {"h := INT16 (x * 10000)", "100000 does not fit in INT16"},
     {"h := INT16 ((x * 3000) + 10000)", "40000 does not fit in INT16"},
     {"x := INT ROUND r", "the real does not fit in INT"},
-    {"x := INT TRUNC (r / (REAL32 ROUND zero))", "the real does not fit in INT"},
+    {"x := INT TRUNC (r / (REAL32 ROUND zero))", "the real does not fit in INT, or its computation failed: overflow, "
+                                                 "division by zero, an infinity or a NaN"},
+    {"w := INT64 ROUND (r / (REAL32 ROUND zero))", "the real does not fit in INT64, or its computation failed: "
+                                                   "overflow, division by zero, an infinity or a NaN"},
+    {"w := INT64 ROUND r", "the real does not fit in INT64"},
     {"r := r * r", "an operation on reals: overflow, division by zero, an infinity or a NaN"},
     {"[v FROM x - 4 FOR x - 5] := [v FROM 0 FOR 5]",
      "a segment begins at element 6, but can begin only at elements 0 to 3"},
@@ -74,9 +78,15 @@ constexpr RunTimeError run_time_errors[] = {
     {"w := (MOSTPOS INT64) + (INT64 x)", "overflow: 9223372036854775807 + 10"},
     {"w := ((MOSTNEG INT64) + w) - (INT64 x)", "overflow: -9223372036854775808 - 10"},
     {"w := ((MOSTPOS INT64) - w) * (INT64 x)", "overflow: 9223372036854775807 * 10"},
-    {"w := (INT64 x) / w", "10 / 0 is not an INT64"},
-    {"w := (INT64 x) \\ w", "10 \\ 0 is not an INT64"},
-    {"SEQ\n  w := w + 4294967296(INT64)\n  x := INT w", "4294967296 does not fit in 32 bits"},
+    {"w := (INT64 x) / w", "division by zero: 10 / 0"},
+    {"w := (INT64 x) \\ w", "division by zero: 10 \\ 0"},
+    {"w := (1(INT64) + w) / w", "division by zero: 1 / 0"},
+    {"w := ((MOSTNEG INT64) + w) / (w - 1(INT64))", "overflow: -9223372036854775808 / -1"},
+    {"w := -((MOSTNEG INT64) + w)", "overflow: -(-9223372036854775808)"},
+    {"ALT\n  ((INT64 x) / w) = w & SKIP\n    SKIP", "division by zero: 10 / 0"},
+    {"SEQ\n  w := w + 4294967296(INT64)\n  x := INT w", "4294967296 does not fit in INT"},
+    {"SEQ\n  w := w + 4294967296(INT64)\n  b := BYTE w", "4294967296 does not fit in BYTE"},
+    {"INT32 n:\nSEQ\n  w := w + 4294967296(INT64)\n  n := INT32 w", "4294967296 does not fit in INT32"},
     {"w := w << (x * x)", "the shift count is 100, but must be 0 to 64"},
 };
 
@@ -152,7 +162,7 @@ TEST_CASE("an error stops its process in mode stop, and others go on") {
 TEST_CASE("an error is at the statement, or at the call of a routine for INT64, in each mode") {
     constexpr const char* text = "INT x:\nINT64 w:\nSEQ\n  x := 0\n  w := 1(INT64)\n  w := w / (INT64 x)\n";
     for (const occam::ErrorMode mode : {occam::ErrorMode::halt, occam::ErrorMode::stop, occam::ErrorMode::universal})
-        CHECK(joined(execute(text, in_mode(mode)).errors) == "8:5 1 / 0 is not an INT64");
+        CHECK(joined(execute(text, in_mode(mode)).errors) == "8:5 division by zero: 1 / 0");
 }
 
 TEST_CASE("each process that an error has stopped is named, in order of time") {

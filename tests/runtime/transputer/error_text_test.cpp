@@ -62,6 +62,7 @@ TEST_CASE("a table's text has registers and words of the workspace in it") {
     };
     const std::string found = with("a {a}, b {b}, c {c}, {a-1} {b+4}, {w+2}, {l+2}, {ba}; {d} {} {a*2} {w");
     CHECK_EQ(found, "a 3, b -2, c 1, 2 2, 5, -4294967291, -8589934589; {d} {} {a*2} {w");
+    CHECK_EQ(with("{/w+2}: {w+2}, {/w+4}: {w+4}, {/}"), "overflow: 5, division by zero: 0, {/}");
 }
 
 TEST_CASE("processes that stoperr stops are listed, and a core that goes on is not halted") {
