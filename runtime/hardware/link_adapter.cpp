@@ -62,8 +62,8 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Reads the status register until the data register is ready or the message is given up. The value that an access
-/// reads is the status at the end of the access.
+/// Reads the status register until the data register is ready or the message is given up. An access takes time, and
+/// reads the status that the register has at the end of the access.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
