@@ -36,8 +36,8 @@ public:
     }
 
 private:
-    /// Returns the guards of the balancer's ALT. The first is the input of a task, with the condition that
-    /// next_worker() is idle. Then comes the input of a result from each worker.
+    /// Returns the guards of the balancer's ALT. The first guard is the input of a task, with the condition that the
+    /// worker next_worker() is idle. The other guards are the inputs of results, one from each worker.
     std::vector<Guard> guards() const {
         std::vector<Guard> guards{
             {left_to_deal_ > 0 && idle_[next_worker()] ? Guard::input : Guard::never, &in_.channel()}};

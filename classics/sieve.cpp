@@ -21,7 +21,7 @@ void count_up(ProcessEnvironment& environment) {
     to.output({end_of_numbers});
 }
 
-/// The output of a csp.sieve. If it is not connected, numbers are dropped.
+/// The output of a csp.sieve. If this output is not connected, as at the end of the pipeline, numbers are dropped.
 class Onwards {
 public:
     explicit Onwards(const ProcessEnvironment& environment) : connected_(environment.connected("out")) {

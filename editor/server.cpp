@@ -230,7 +230,7 @@ struct LanguageServer::State {
         return nullptr;
     }
 
-    /// Checks every text, since files that are not open may also have changed on the disk.
+    /// Checks every open text again, because the files that it includes may have changed on the disk.
     json::value saved(const json::object&) {
         for (auto& [uri, document] : documents.all())
             check_again(document);

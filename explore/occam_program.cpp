@@ -129,9 +129,9 @@ void report_errors(const std::vector<Diagnostic>& diagnostics, Reporter& reporte
             reporter.error(each.location, each.message, each.hint, each.others);
 }
 
-/// Checks a program. If its main procedure uses a terminal, or if a VAL may change, the text is checked again. This
-/// time it has a procedure that calls the main procedure, and the change. This second check reports only errors,
-/// because the first check has reported the warnings.
+/// Checks a program. If its main procedure uses a terminal, the text gets a further procedure that calls the main
+/// procedure. If `change` is set, it may change VALs. In both cases the new text is checked again. This second check
+/// reports only errors, because the first check has reported the warnings.
 OccamCheck checked_program(const std::shared_ptr<const SourceFile>& file,
                            const std::vector<std::filesystem::path>& folders, const occam::SourceOptions& wanted,
                            const occam::ChangeDeclaration& change, Reporter& reporter) {
@@ -224,7 +224,7 @@ MadeNetlist netlist_of_program(const std::shared_ptr<const SourceFile>& file,
     if (reporter.failed())
         return made;
     const std::filesystem::path path = file->path(),
-                                as_found = path.parent_path() / path.filename(); // beside the netlist
+                                as_found = path.parent_path() / path.filename(); // where the netlist looks for it
     made.text = std::make_shared<const SourceFile>(file->path(), netlist_around(path, machine));
     made.compiled[as_found.string()] = compiled_program(program, file->path(), machine);
     return made;

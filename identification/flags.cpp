@@ -17,8 +17,9 @@ using namespace hydraulics;
 
 namespace {
 
-// An answer is flagged below these limits of a pressure's slope and of the flow into the compliance, half of the limits
-// of ExcitationGate. Below them, at medium noise, a third of the estimates are wrong by more than 10 %.
+// An answer is flagged if both the slope of the pressure and the flow into the compliance are below these limits. Then,
+// at medium noise, a third of the estimates are wrong by more than 10 %. The limits are half of those in
+// ExcitationGate.
 constexpr double least_slope_psi_per_s = 400, least_flow_in3_per_s = 3.4;
 // A link is flagged if the compliances found in the two halves of the samples differ by more than this share of the
 // answer.
@@ -26,7 +27,7 @@ constexpr double halves_differ = 0.3;
 // The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
-/// Flags an answer at a bound of the search. Returns whether it has flagged the link, as the next function does.
+/// Flags an answer at a bound of the search. Returns whether the answer was flagged.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
     bool low = at_lower_bound(link.compliance_in3_per_psi, step);

@@ -115,8 +115,8 @@ void Server::finish() {
         terminal_.write(rest);
 }
 
-/// Performs the request. answer() checks afterwards whether a field was missing. Until then a missing field has the
-/// value 0 or "", with which no request changes anything.
+/// Performs the request. answer() checks afterwards whether a field of the request was missing. A missing field has the
+/// value 0 or "" here, and with such a value a request changes nothing.
 Reply Server::reply_to(RequestTag tag, RequestFields& fields) {
     switch (tag) {
     case RequestTag::open: return open(fields);

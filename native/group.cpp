@@ -100,8 +100,8 @@ Surroundings::Rest Member::rest(Time due, bool awaits_end) {
     return Rest::quiet;
 }
 
-/// Waits until all kernels have called this function with the same counter `arrived`. Each point at which they meet has
-/// its own counter.
+/// Waits until all kernels have called this function with the same counter `arrived`. Each point of the program at
+/// which kernels wait for each other has its own counter.
 void Group::wait_for_all(std::unique_lock<std::mutex>& lock, std::size_t& arrived) {
     if (++arrived == members_.size())
         at_the_end_.notify_all();

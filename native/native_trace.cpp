@@ -86,7 +86,8 @@ private:
             tell_message(place, notice);
     }
 
-    /// Passes on a change of activity. A process that runs is shown as computing, because it occupies its thread.
+    /// Passes on a change of a process's activity. A process that runs is shown as computing, because it occupies its
+    /// thread.
     void tell_turn(const Place& place, const Notice& notice) const {
         Activity activity = static_cast<Activity>(notice.activity);
         std::vector<AwaitedByProgram> awaited;

@@ -12,8 +12,8 @@ namespace placedpar::native {
 
 namespace {
 
-/// An operation that a polling process repeats takes one cycle, so that other processes can run. All other operations
-/// take no time.
+/// The costs of operations. An operation that a polling process repeats takes one cycle, so that other processes can
+/// run. All other operations take no time.
 constexpr OperationCosts costs_of_polls{.timer_wait_past = Cycles{1}, .alternation_end = Cycles{1}};
 
 /// The end time of a computation that is too long for a Time.

@@ -120,7 +120,8 @@ public:
     }
 
 private:
-    /// A channel: one object for each thread. If both processes are on one thread, only `output` is used.
+    /// A channel between the two processes, with an object for each thread. If both processes are on one thread, only
+    /// the object `output` is used.
     struct Halves {
         Channel<Ball> output, input;
         explicit Halves(const char* name) : output(name), input(name) {}

@@ -58,7 +58,7 @@ void RankTaker::promise() {
     member_.send_taker(from_, number_);
 }
 
-/// Requests the parcel, unless it is already requested or the message has arrived.
+/// Requests the parcel, that is, the bytes of the message, unless it is already requested or the message has arrived.
 void RankTaker::ask(Offer& offer) {
     if (offer.state != Offer::State::announced)
         return;

@@ -107,7 +107,7 @@ Time RankMember::now() const { return std::chrono::duration_cast<Time>(std::chro
     std::abort();
 }
 
-/// Handles a letter that concerns no process. Returns false for a letter to a process.
+/// Handles a letter (a short message between ranks) that concerns no process. Returns false for a letter to a process.
 bool RankMember::handle_at_once(const RankLetter& letter) {
     PackedReader from(letter.bytes);
     switch (PackedForm<Kind>::read(from)) {

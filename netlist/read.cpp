@@ -32,8 +32,8 @@ std::size_t count_words(std::string text) {
     return count;
 }
 
-/// Returns an upper limit of the number of tokens that count_words() finds, which is slower. REQUIRES: the text has no
-/// illegal tokens.
+/// Returns an upper limit of the number of tokens in the text. This function is faster than count_words(), which finds
+/// the exact number. REQUIRES: the text has no illegal tokens.
 std::size_t most_words_in(std::string_view printed) {
     std::size_t count = 0;
     bool in_word = false;

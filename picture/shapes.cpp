@@ -56,8 +56,8 @@ Shape smallest_circle(std::size_t count, Condition condition) {
     return shape;
 }
 
-/// Returns the distance, in cells, between consecutive elements in each dimension. Dimensions alternate between the two
-/// directions.
+/// Returns the distance, in cells, between consecutive elements in each dimension of an array. The drawing has two
+/// directions: the last dimension takes one direction, the last but one the other, and so on in turn.
 std::vector<double> strides(const std::vector<std::int64_t>& sizes) {
     std::vector<double> result(sizes.size(), 1);
     for (std::size_t i = sizes.size(); i-- > 0;)

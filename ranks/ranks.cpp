@@ -23,8 +23,8 @@ bool started_as_rank() {
 
 constexpr const char* module_name = "placedpar_mpi.so";
 
-/// Loads the module from its usual path, otherwise from a path at which the system's linker finds it. Returns null if
-/// there is no module.
+/// Loads the module that sends messages by MPI. If the module is not at its usual path, the system's linker searches
+/// for it. Returns null if there is no module.
 void* load_module() {
     const std::filesystem::path place = module_of_ranks();
     const std::string path = place.empty() ? module_name : place.string();

@@ -39,8 +39,8 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the nodes, wires or processes that an option set, at most the first eight; "" if the option set a constant
-/// (`val`).
+/// Lists at most the first eight of the nodes, wires or processes in which an option has set a value. Returns "" if the
+/// option has set a constant (`val`) instead.
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
     if (elements.empty())

@@ -10,8 +10,8 @@
 namespace placedpar {
 
 /// Describes a field of a string in natural binary, that is, the bits that code one parameter (thesis eq. 1.5). `least`
-/// and `most` are the parameter's values if all bits are 0 or 1, and step() is the difference between the values of
-/// neighbouring codes.
+/// is the parameter's value if all bits are 0, and `most` is its value if all bits are 1. step() is the difference
+/// between the values of neighbouring codes.
 struct StringField {
     std::string name, unit;
     std::size_t bits;

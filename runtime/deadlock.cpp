@@ -21,7 +21,7 @@ namespace {
 
 using Processes = std::vector<const Process*>; ///< grouped by kernel, and in order of creation
 
-/// Returns a number that orders the processes of a run by kernel, and those of one kernel by their creation.
+/// Returns a number by which the processes of a run can be sorted: by kernel, and within a kernel by their creation.
 std::uint64_t place_of(const Process& outermost, std::uint32_t ordinal) {
     return std::uint64_t{outermost.kernel().number()} << 32 | ordinal;
 }

@@ -77,8 +77,9 @@ void Kernel::refuse_outside_a_run() {
     return running.history();
 }
 
-/// Checks a process that has done many operations while virtual time stood still, as it polls for ever. Throws
-/// std::logic_error after too many operations. If the run is interrupted, gives way, so that the process is unwound.
+/// Checks a process that has done many operations while virtual time stood still, because it may poll for ever. Throws
+/// std::logic_error after too many operations. If the run is interrupted, gives way, and the kernel then unwinds the
+/// process.
 void Kernel::check_timeless_operations() {
     if (hot_.rare_conditions.any_of(RareConditions::unwinding))
         return;

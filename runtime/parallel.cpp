@@ -27,7 +27,8 @@ void note_beginning(const std::vector<Component>& components, ReplayLog& history
                        {static_cast<std::uint64_t>(component.priority)});
 }
 
-/// Returns a body that also computes for the cycles that the end of a component costs.
+/// Returns a body that first executes `body`, and then takes the cycles that a processor needs to end a component of a
+/// PAR.
 Process::Body with_end(const Process& parent, Process::Body body) {
     if (!parent.executive())
         return body;

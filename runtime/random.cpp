@@ -157,7 +157,7 @@ void RandomStream::fill(std::span<result_type> numbers) {
         numbers = numbers.subspan(count);
     };
     take();
-    // Whole multiples of `ahead` numbers are computed directly into `numbers`; this saves a copy.
+    // As many numbers as possible, in multiples of `ahead`, are computed directly into `numbers`. This saves a copy.
     if (const std::size_t straight = numbers.size() / ahead * ahead; straight > 0) {
         compute_blocks(counter_, key_, straight / 4, numbers.data());
         numbers = numbers.subspan(straight);

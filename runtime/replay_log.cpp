@@ -62,8 +62,8 @@ void ReplayLog::end() {
         diverge();
 }
 
-/// Subtracts the number of observations from the session's `room`. If too little is left, marks the run as one that
-/// cannot be repeated, and stops recording.
+/// Subtracts the number of observations from `room`, the number that may still be recorded in this run. If `room` is
+/// too small, marks the run as one that cannot be repeated, and stops recording.
 void ReplayLog::take_room(std::size_t readings) {
     if (course_.room < readings)
         course_.can_be_repeated = false;

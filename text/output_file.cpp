@@ -37,8 +37,8 @@ fs::path follow_links(const fs::path& path) {
     return end;
 }
 
-/// Returns whether the file's permissions allow someone to write. This is checked for root, too, who could write every
-/// file.
+/// Returns whether the file's permissions allow someone to write. Root could write every file, but a file without write
+/// permission is refused for root, too.
 bool may_write(const fs::path& path, const struct stat& file) {
     constexpr mode_t by_anybody = S_IWUSR | S_IWGRP | S_IWOTH;
     return (file.st_mode & by_anybody) != 0 && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) == 0;

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// These variables are set before anything is printed, and only read afterwards.
+/// These variables tell whether output is coloured. They are set before anything is printed, and only read afterwards.
 bool errors_painted = false, output_painted = false;
 
 /// The parameters of ECMA-48's Select Graphic Rendition: 1 bold, 31 red, 32 green, 33 yellow, 36 cyan.

@@ -27,8 +27,8 @@ fs::path name_beside(const fs::path& path) {
 /// Returns the path under which Linux shows an open file that has no name.
 std::string name_of_open(int file) { return fmt::format("/proc/self/fd/{}", file); }
 
-/// Opens a file without a name. Returns a number below 0 if the file system does not support such files, or if there is
-/// no /proc.
+/// Opens a file without a name. Returns a number below 0 if the file system does not support such files, or if the
+/// folder /proc is missing.
 int open_nameless(const fs::path& folder) {
     int file = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, as_any_file);
     if (file < 0 || ::access(name_of_open(file).c_str(), F_OK) == 0)

@@ -12,7 +12,7 @@ namespace {
 
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; }
 
-/// Returns the length of a character, from its first byte; 0 if no character begins with this byte.
+/// Returns how many bytes a character has, as its first byte shows. Returns 0 if no character begins with this byte.
 std::size_t bytes_announced(unsigned char first) {
     auto ones = static_cast<std::size_t>(std::countl_one(first));
     return ones == 0 ? 1 : ones >= 2 && ones <= 4 ? ones : 0;

@@ -13,9 +13,9 @@ namespace placedpar::web {
 /// if the field is neither a name nor an address.
 std::optional<std::string> host_in(std::string_view field);
 
-/// The host names under which browsers may use the service; the service refuses all others. Otherwise an attacker could
-/// let the name of an own web site resolve to this computer, and the site's page could read the service's answers (DNS
-/// rebinding).
+/// The host names under which browsers may use the service; the service refuses all others. Otherwise an attacker with
+/// a web site could let the site's name resolve to this computer. A page of that site could then read the service's
+/// answers (DNS rebinding).
 class HostNames {
 public:
     /// Accepts the address at which the service listens, and further names such as a proxy's. Also accepts "localhost"

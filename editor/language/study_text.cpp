@@ -54,7 +54,8 @@ private:
         at_ = std::min(end, text_.size());
     }
 
-    /// Ends the statement, if no list is open. A table in braces must end in its line.
+    /// Goes on to the next line. This ends the statement, if no list is open. A table in braces must end in the line in
+    /// which it begins.
     void end_line() {
         ++at_;
         while (!open_.empty() && open_.back().is_table)

@@ -9,8 +9,9 @@
 
 namespace placedpar::hydraulics {
 
-/// The four links of the excavator. Each has a compliance on its pump side: the volume of oil that its hose and oil
-/// take up per psi of pressure. Identification searches for these compliances.
+/// The four links of the excavator. Each has a compliance on its pump side. The compliance is the additional volume of
+/// oil that fits into the link's hose and cylinder when the pressure rises by 1 psi. Identification searches for these
+/// compliances.
 enum class Link : unsigned char { bucket, boom, stick, swing };
 
 inline constexpr std::array<Link, 4> all_links{Link::bucket, Link::boom, Link::stick, Link::swing};

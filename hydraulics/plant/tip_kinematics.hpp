@@ -26,7 +26,7 @@ struct TipPose {
 
 /// The angles of the joints in rad. The boom's angle is measured upwards from the horizontal. The stick's angle is its
 /// bend from the boom's direction, 0 to pi; the bucket's angle is its bend from the stick's direction. Both bends grow
-/// as the arm folds inwards and down. The pump moves the links in this direction.
+/// as the arm folds inwards and down.
 using JointAngles = PerLink<double>;
 
 TipPose tip_pose(const ArmLengths&, const JointAngles&);

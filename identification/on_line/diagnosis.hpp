@@ -29,9 +29,9 @@ struct SampleOutcome {
 };
 
 /// The on-line diagnosis of one excavator: the data of its links, one of two ways to judge them, and the active alarms.
-/// The way is ReportedDiagnosis until the recognition of the configuration begins, MovingDiagnosis until it ends, and
-/// then ReportedDiagnosis again, with all that it had found. The
-/// readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Single
+/// ReportedDiagnosis judges the links until the recognition of the configuration begins, and again after the
+/// recognition has ended. It then continues with its earlier findings. In between, MovingDiagnosis judges the links.
+/// The readings of a fast logger are first averaged to samples about 20 ms apart (hydraulics/data/sampling.hpp). Single
 /// readings are used only by the checks for frozen sensors and for pressures below vacuum, and to compute a spool's
 /// position from its voltage.
 ///

@@ -108,8 +108,8 @@ private:
                                                [&](auto& hop) { return load(hop) > 1 && !is_shared(hop.connection); });
     }
 
-    /// Returns whether the connection is a way over a bus, or another Medium, that can carry any number of channels
-    /// without packets.
+    /// Returns whether the connection is a way over a bus, or over another shared medium, that can carry any number of
+    /// channels without packets.
     bool is_shared(std::size_t connection) const {
         const auto& way = wires_[connection].over_bus;
         return way && c_.network.nodes[c_.network.attachments[way->master].bus].kind->medium->shares_ways;

@@ -61,7 +61,8 @@ void RouteSearch::forget_distances() {
     reached_.clear();
 }
 
-/// Computes the least cost from every node to the hub by Dijkstra's algorithm. REQUIRES: !has_quotas_.
+/// Computes the least cost from every node to the hub, a node at which many routes end, by Dijkstra's algorithm. Later
+/// searches use the stored costs. REQUIRES: !has_quotas_.
 void RouteSearch::make_hub(std::size_t hub) {
     using Reached = std::pair<RouteCost, std::size_t>;
     std::priority_queue<Reached, std::vector<Reached>, std::greater<>> open;

@@ -124,7 +124,7 @@ struct DraftPlacement {
 };
 
 /// Describes a fault of a device, of the wire at a link, or of the wire of a connection. complete_faults() later sets
-/// the index of the wire.
+/// `fault.connection`, the index of the wire.
 struct DraftFault {
     Fault fault;
     std::size_t connection = nowhere; ///< index in Draft::connections
@@ -155,8 +155,7 @@ struct Draft {
     std::map<std::size_t, DraftConnectionPlacement>
         connection_placements; ///< key: index of the channel's connection, `c1`
     std::vector<DraftFault> faults;
-    std::string default_kind; ///< kind of all processes without a `use` statement of their own: `use "kind" for
-                              ///< process;` names it
+    std::string default_kind; ///< kind of the processes that no other `use` names; set by `use "kind" for process;`
     Location default_used;
     std::size_t things = 0;
     std::vector<SetByOption> set;

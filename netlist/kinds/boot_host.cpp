@@ -25,7 +25,7 @@ void BootHost::serve() {
         answer(request);
     }
     if (state_ == iserver::ServerState::waits_for_input && !abandoned_)
-        wait_for_link(Activity::inputting); // waits for ever, since this request has no reply
+        wait_for_link(Activity::inputting); // the input has ended, so no reply follows: the host waits for ever
 }
 
 /// Answers a request. The request that ends the program gets a reply, too. The host does not wait until the program has

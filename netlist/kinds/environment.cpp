@@ -19,8 +19,9 @@ ProcessEnvironment::ProcessEnvironment(const Network& network, std::size_t index
 
 namespace {
 
-/// Records a measurement in the history of a process, from which a run can be repeated with another seed. A measurement
-/// by a component of a PAR makes this impossible, since a history does not record the order of components.
+/// Records a measurement in the history of a process. From the histories, a run can be repeated with another seed. If a
+/// component of a PAR makes a measurement, the run cannot be repeated, since a history does not record the order of
+/// components.
 void note(const Process& self, const Measurement& measurement, ReplayLog& history) {
     if (self.parent())
         history.record_unrepeatable();

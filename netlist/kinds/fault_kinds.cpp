@@ -15,7 +15,7 @@ namespace {
 
 using description::integer;
 
-constexpr double longest = 9e15; ///< in ns; a little less than the largest virtual time
+constexpr double longest = 9e15; ///< in ns; a little less than the largest time that a run can reach
 
 AttributeDescription direction() {
     return {.value =

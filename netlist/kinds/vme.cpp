@@ -42,8 +42,8 @@ AttributeDescription request_level() {
     return {.value = description::integer("level", {.by_default = 3, .least = 0, .most = 3}, "level of the request")};
 }
 
-/// Returns the reason why the fault `hogged` is impossible: the arbiter does not have the fault's request level, or no
-/// slot is free. Returns "" if the fault is possible.
+/// Returns the reason why the fault `hogged` (a further master that holds the bus for a time) is impossible: the
+/// arbiter does not have the fault's request level, or no slot is free. Returns "" if the fault is possible.
 std::string why_not_hogged(const Network& network, const Fault& hog) {
     const Node& bus = network.nodes[hog.node];
     auto others = std::ranges::count_if(network.faults,

@@ -32,7 +32,7 @@ private:
     bool is_here(std::size_t attachment) const { return attachments()[attachment].bus == bus_; }
 
     /// Returns true if a way leads from `master` to the memory of `slave`. Two bus masters can access each other's
-    /// memory; for them there is one way, from the master that was attached first.
+    /// memory. A single way joins them; it leads from the master that was attached first.
     bool shares_memory_with(std::size_t slave, std::size_t master) const {
         return slave != master && is_here(slave) && is_here(master) && kind_of(slave).bus == BusRole::bus_master &&
                kind_of(master).is_master() && (kind_of(master).bus == BusRole::workstation || master < slave);

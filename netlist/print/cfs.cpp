@@ -36,8 +36,8 @@ bool is_declared_by_toolset(const Node& node) {
 
 enum class ParameterOrder { as_given, by_name };
 
-/// Tells whether the text of routes is written, or only its bytes are counted. Counting is fast, and routes are most of
-/// the text if the text is too large.
+/// Tells whether the routes are written as text, or only the bytes of their text are counted. Counting is the faster
+/// way to find that a netlist is too large, because most of a large netlist consists of routes.
 enum class Routes { written, counted };
 
 /// Writes a network as a netlist without `rep` and `define`: each declaration states its own attributes. Also writes
@@ -312,7 +312,8 @@ private:
         return fmt::format("{} = {}", name, print_array(parameters, name));
     }
 
-    /// Prints the settings that all elements of an array share once, and then the other settings of each element.
+    /// Prints the settings of an array's elements. A setting that all elements share is printed once for the array; the
+    /// other settings follow, element by element.
     void print_settings(const ElementRange& range, const std::map<std::string, Value>& declared, bool all_high) {
         auto of = [&](std::size_t i) { return settings(n_.processes[range.first + i], declared, all_high); };
         Entries common = of(0);
@@ -441,7 +442,7 @@ private:
         return by_adapter ? LinkEnd{n_.attachments[way->slave].node, 0} : begin_of(hop, n_.connections);
     }
 
-    /// Prints the way of a channel over a bus. The link of a link adapter identifies the way over it. A way to the
+    /// Prints the way of a channel over a bus. A way over a link adapter is named by the adapter's link. A way to the
     /// memory of a bus master is printed only if another way joins the same nodes.
     void print_way(const NetworkChannel& channel) {
         const auto& way = n_.connections[channel.placement.route.front().connection];

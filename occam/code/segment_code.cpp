@@ -58,7 +58,8 @@ Extent Generator::segment_count(const Segment& segment, const Extent& all) {
     return extent;
 }
 
-/// Makes the location of an array that of a segment of it. Generates a check that the segment is inside the array.
+/// Returns the location of a segment of the array at `location`. Generates the code that computes the beginning of the
+/// segment, and a check that the segment is inside the array.
 Storage Generator::move_to_segment(Storage location, const Segment& segment, const Extent& all, const Extent& extent) {
     const Type& element = *plain(*location.type).element;
     if (segment.from)

@@ -30,7 +30,7 @@ std::string full_type(const std::string& word) {
 
 } // namespace
 
-/// Returns the node that PROCESSOR names. If there is none, reports an error, and returns nothing.
+/// Returns the node that a PROCESSOR statement names. If there is no such node, reports an error, and returns nothing.
 std::optional<Element> Configurer::node_of(Processor& processor) {
     checker_.check(processor.number);
     if (processor.number.type->is(Basic::integer))

@@ -193,8 +193,8 @@ bool LinkDirection::receiver_asks(LinkCourse::Touch& touch) {
     const bool all_here =
         has_come && direction.ends != LinkState::Ends::sender_left && touch->packets.streams[number_].bytes_left == 0;
     if (all_here) {
-        // If the arrival of the first byte has woken an ALT, the arrival of the last byte may still be expected at this
-        // very time.
+        // If the arrival of the first byte has woken an ALT, the event for the arrival of the last byte may still be
+        // scheduled for the current time.
         touch->drop_last_bytes(number_);
         deliver();
     } else {

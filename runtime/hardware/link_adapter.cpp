@@ -62,8 +62,8 @@ void AdapterProgram::access() {
     master_.access_byte(adapter_);
 }
 
-/// Reads the status register until the data register is ready or the message is given up. The value that an access
-/// reads is the status at the end of the access.
+/// Reads the status register until the data register is ready or the message is given up. An access takes time, and
+/// reads the status that the register has at the end of the access.
 template <class Over>
 void AdapterProgram::poll(LinkAdapter::Register& data, Activity activity, AnyChannel& channel,
                           const SourceLocation& where, Over over) {
@@ -165,7 +165,8 @@ void AdapterBroadcast::Lane::input(AnyChannel& to, const SourceLocation& where) 
 
 bool AdapterBroadcast::Lane::message_waits(const AnyChannel& to) const { return program.to_link().message_waits(to); }
 
-/// Returns whether the output is lost on any lane, because it is then lost on all lanes.
+/// Returns whether the output is lost on any lane, that is, on the way of the broadcast over one of the link adapters.
+/// The output is then lost on all lanes.
 bool AdapterBroadcast::Lane::output_is_lost(const AnyChannel&) const {
     return broadcast.is_written() && std::ranges::any_of(broadcast.lanes_, [](const Lane& lane) {
                return lane.link().output_is_lost(*lane.channel);

@@ -136,8 +136,8 @@ void LinkCourse::run_ahead(LinkState::Next next) {
     schedule(next);
 }
 
-/// Returns a time up to which many packets of the copy can be computed together. Until then packets change only times
-/// and numbers of bytes.
+/// Returns a time up to which many packets of the copy can be computed together. Up to this time, packets change only
+/// times and numbers of bytes.
 Time LinkCourse::runs_before() const {
     Time before = std::min({end_of_time, steady_until_, ahead_->arrivals[ahead_->first_arrival()]});
     for (std::size_t direction : {0u, 1u}) {

@@ -50,8 +50,8 @@ bool LinkDirection::input_must_be_reset(const AnyChannel&) const {
 
 bool LinkDirection::is_sending() const { return counts_ ? counts_->gives : channel_ && channel_->output_waits(); }
 
-/// Returns how many bytes of the current message the receiving end has. A byte for which no process waits is counted
-/// only when all of it has arrived.
+/// Returns how many bytes of the current message the receiving end has. If no process waits for a byte, the byte is
+/// counted only after its last bit has arrived.
 std::uint64_t LinkDirection::bytes_received() const {
     const LinkState::Direction& direction = state().directions[number_];
     const LinkPackets::Stream& stream = state().packets.streams[number_];
@@ -73,8 +73,8 @@ std::uint64_t LinkDirection::bytes_acknowledged() const {
     return bytes_before_part_ + bytes_started() - std::uint64_t{state().is_unacknowledged(number_)};
 }
 
-/// Drops the expected arrivals of the current part. On a long wire, the last byte of the previous part may still be
-/// under way. Its arrival is kept, because the receiver waits for it.
+/// Drops the scheduled arrivals of bytes of the current part of the message. On a long wire, the last byte of the
+/// previous part may still be under way. The arrival of this byte is kept, because the receiver waits for the byte.
 void LinkDirection::break_off(LinkCourse::Touch& touch) {
     touch->drop_first_byte(number_);
     const bool last_byte_has_begun = bytes_started() > 0 && touch->packets.streams[number_].bytes_left == 0;

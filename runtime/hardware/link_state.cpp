@@ -191,7 +191,8 @@ Time LinkState::may_start(std::size_t d) const {
     return phase == Phase::travels && !stream.acknowledge ? stream.due : stream.last_start;
 }
 
-/// Withdraws the next packet. If it waited for its wire, the link stays busy until the end of the packet on the wire.
+/// Withdraws the next packet. If this packet waited for its wire, the link stays busy until the other packet on that
+/// wire ends.
 void LinkState::stop(std::size_t d, Phase phase) {
     directions[d].at = may_start(d);
     directions[d].phase = phase;

@@ -66,8 +66,8 @@ void ByteLane::move(std::uint32_t bytes) {
     }
 }
 
-// The acknowledge of a byte may arrive before the end of the byte. In this case, sent() stores the byte slightly too
-// early.
+// The acknowledge of a byte may arrive before the whole byte has been sent. In this case, sent() stores the byte
+// slightly too early.
 void ByteLane::sent() {
     move(to_give_);
     gives_ = false;

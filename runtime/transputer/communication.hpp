@@ -98,8 +98,8 @@ PLACEDPAR_EXPANDED bool Core::communicate(bool is_output, const Communication& a
 }
 
 /// Performs the communication and, if needed, switches to the next process. Does nothing and returns `scheduling` if
-/// the channel is a link's or the communication would end at `until` or later. Returns `budget` if execution can
-/// continue.
+/// the channel belongs to a link, or if the communication and a switch to another process would not end before `until`.
+/// Returns `budget` if execution can continue.
 PLACEDPAR_EXPANDED Core::Left Core::communicate_at_once(Operation operation, Registers& r, HalfCycles until) {
     const Communication asked = communication_by(operation, r);
     const HalfCycles ends = local_ + cost_of(operation, asked);

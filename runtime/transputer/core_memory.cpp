@@ -100,8 +100,8 @@ void Core::move_block(Word from, Word to, Word bytes) {
     copy_to_memory(target, copied);
 }
 
-/// Returns whether an interval that exceeds the memory may be used: addresses must wrap, and the interval must not
-/// contain a byte of the memory twice.
+/// Returns whether an interval of this length may extend beyond the memory. Addresses must wrap round, and the interval
+/// must not contain a byte of the memory twice.
 bool Core::can_wrap(Word bytes) const { return timing_.wraps && bytes <= memory_.size(); }
 
 /// Moves rows of bytes: all bytes, only the bytes that are not 0, or only the bytes that are 0.

@@ -40,8 +40,8 @@ struct CycleRange {
     std::optional<unsigned> most = 0; ///< no value if it depends on the length of a message
 };
 /// Returns the cycles of an instruction. For an operation on reals, returns the cycles of the floating-point unit,
-/// although the integer unit can continue meanwhile. For an operation on reals of either length, returns the cycles for
-/// REAL32.
+/// although the integer unit can continue meanwhile. If the same operation serves REAL32 and REAL64, returns the cycles
+/// for REAL32.
 CycleRange published_cycles(const CodedInstruction&, Model);
 
 /// Returns whether an instruction is a branch or the end of a process, so that execution may not continue after it.

@@ -345,7 +345,7 @@ void Core::page_is_written(Block& block, const Entry& entry, Word offset, Word b
     if (offset + bytes <= begin || offset >= begin + block.bytes)
         return;
     // The instruction has written to its own page, so the rest of this block may have changed. The block now ends after
-    // this instruction. (It may be a copy of the beginning of a discarded block.)
+    // this instruction.
     instructions_ -= instructions_after(block, entry);
     Entry& rest = const_cast<Entry&>((&entry)[1]);
     rest = {Operation::go_on, 0, entry.after, place_of(block, entry) + entry.length};

@@ -212,8 +212,8 @@ RealResult<T> remainder(RealPattern<T> left, RealPattern<T> right) {
     return {exact.zero() ? exact.with_sign(left.negative()) : exact, right.infinite()};
 }
 
-/// Returns the quotient that belongs to a remainder. It is computed in double, with an error below 0.5 before rounding
-/// for the operands that fpremfirst accepts.
+/// Returns the quotient that belongs to a remainder. The quotient is computed in double, and then rounded to an
+/// integer. Before the rounding its error is below 0.5 for all operands that the instruction fpremfirst accepts.
 template <typename T>
 RealPattern<T> quotient(RealPattern<T> left, RealPattern<T> right, RealPattern<T> remainder) {
     if (remainder.nan())
@@ -272,8 +272,9 @@ double value_with_whole_fraction(const Real& real) {
     return RealPattern<double>(wide.word() | (real.bits >> 32)).value();
 }
 
-/// Returns the result of the operation on REAL32s with long fractions (fpunoround), rounded once to a REAL32. To avoid
-/// a double rounding, the intermediate REAL64 is rounded to odd: its last bit is set if it is not exact.
+/// Returns the result of the operation on REAL32s with long fractions (fpunoround), rounded once to a REAL32. If the
+/// result were rounded to nearest twice, it could be wrong. The intermediate REAL64 is therefore rounded to odd: its
+/// last bit is set if the REAL64 is not exact.
 RealResult<float> combined_unrounded(RealOperation operation, Rounding mode, const Real& left, const Real& right) {
     const double first = value_with_whole_fraction(left), second = value_with_whole_fraction(right);
     const auto compute = [&](Rounding each) { return rounded<double>(each, first, second, Arithmetic{operation}); };

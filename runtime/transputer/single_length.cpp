@@ -39,7 +39,7 @@ SingleLengthRegisters postnormsn(SingleLengthRegisters registers, std::uint32_t 
     if (exponent > 0)
         return {registers.a, registers.b, exponent > 255 ? greatest_exponent : std::uint32_t(exponent)};
     const std::uint64_t fraction = (std::uint64_t(registers.b) << 32 | registers.a) >> (1 - exponent);
-    // the whole old A is kept, because roundsn tests only whether A is 0
+    // the new A contains all bits of the old A, because the next instruction, roundsn, tests only whether A is 0
     return {std::uint32_t(fraction) | registers.a, std::uint32_t(fraction >> 32), 0};
 }
 

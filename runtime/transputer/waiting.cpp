@@ -261,7 +261,8 @@ private:
         std::ranges::sort(holders_, {}, [](const Holder& each) { return std::pair(each.workspace, each.at); });
     }
 
-    /// Returns whether W-3 has a value that a process leaves there when it waits at channels in memory.
+    /// Returns whether the third word below the workspace (W-3) has a value that a process leaves in this word when it
+    /// waits at channels in memory.
     bool leaves_pointer(Word workspace) const {
         const Word pointer = *word_of_node(core_, workspace - below::pointer);
         switch (waits_at(core_, workspace)) {
