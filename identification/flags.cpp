@@ -26,7 +26,7 @@ constexpr double halves_differ = 0.3;
 // The difference must also exceed this many standard errors, so that noise alone raises no flag.
 constexpr double halves_differ_errors = 4;
 
-/// Flags an answer at a bound of the search. Returns whether it has flagged the link, as the next function does.
+/// Flags a link whose answer is at a bound of the search. Returns whether the link is flagged by this function.
 bool flag_bounds(LinkIdentified& link, const CircuitProblem& problem) {
     double step = problem.field().resolution();
     bool low = at_lower_bound(link.compliance_in3_per_psi, step);
@@ -57,7 +57,8 @@ void flag_uncertainty(LinkIdentified& link) {
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
-/// Flags a valve whose reading never changes. A valve that has opened keeps moving, so the sensor must have failed.
+/// Flags a link if the reading of its valve never changes. A valve that has opened keeps moving, so the sensor must
+/// have failed.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     auto area_in2 = [&](const CircuitSample& sample) {
         const LinkSample& read = sample.links[junction];

@@ -39,7 +39,7 @@ Table measurements_of(const std::vector<Measurement>& rows) {
     });
 }
 
-/// Lists the nodes, wires or processes that an option set, at most the first eight; "" if the option set a constant
+/// Lists at most the first eight nodes, wires or processes that an option set. Returns "" if the option set a constant
 /// (`val`).
 std::string print_reached(std::vector<std::string> elements) {
     constexpr std::size_t most = 8;
@@ -304,8 +304,8 @@ std::string print_outcome(const RunReport& report) {
     return painted(well ? Paint::success : Paint::failure, name_of(outcome));
 }
 
-/// Prints the errors that have halted processors of a network. They are printed before the processes that wait for ever
-/// as a result.
+/// Prints the errors that have halted processors of a network. These errors stand before the list of processes that
+/// wait for ever as a result.
 std::string print_halts(const RunReport& report) {
     std::string out;
     if (report.programs.size() > 1)

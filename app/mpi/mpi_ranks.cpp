@@ -1,5 +1,5 @@
-// This module passes messages between ranks, the processes of a run that mpirun has started. The program loads it only
-// then (ranks/ranks.hpp).
+// This module passes messages between ranks, the processes of a run that mpirun has started. The program loads this
+// module only in such a run (ranks/ranks.hpp).
 
 #include "ranks/expected_parcels.hpp"
 #include "ranks/rank_mail.hpp"

@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses `count` parents by one spin of the roulette wheel, with as many balls at equal distances. Then shuffles the
+/// Chooses `count` parents by one spin of the roulette wheel with `count` equally spaced balls. Then shuffles the
 /// parents (Fisher and Yates).
 Parents sample_universally(const RouletteWheel& wheel, std::size_t count, RandomStream& random) {
     std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());

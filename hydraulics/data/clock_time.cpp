@@ -66,7 +66,7 @@ std::optional<std::int64_t> fraction_ns(std::string_view text) {
     return number_of(nine, text.empty() ? 1 : 0, 9);
 }
 
-/// Returns by how many nanoseconds the time of a zone such as "+01:00" is ahead of UTC.
+/// Returns the nanoseconds by which a time zone such as "+01:00" is ahead of UTC.
 std::optional<std::int64_t> zone_ns(std::string_view text) {
     const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2);
     if (has_shape(text, {"", "Z", "z"}))

@@ -108,8 +108,8 @@ void StateFile::open(StateContent& content) {
     content.trouble = trouble_with_writing();
 }
 
-/// Returns why the file cannot be written, or "". To find out, writes one page, because SQLite would skip a write that
-/// changes nothing.
+/// Returns the reason why the file cannot be written, or "". Writes one page as a test, because SQLite would skip a
+/// write that changes nothing.
 std::string StateFile::trouble_with_writing() {
     try {
         database_->run("BEGIN IMMEDIATE; UPDATE ledger SET last = last + 1; UPDATE ledger SET last = last - 1; COMMIT");

@@ -53,7 +53,7 @@ std::uint32_t CriticalPath::number_of(const std::string& subject) {
     return found->second;
 }
 
-/// Adds an event; returns `before` instead if no time has passed since `before`.
+/// Adds an event and returns its number. If no time has passed since `before`, adds no event and returns `before`.
 CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const std::string& subject,
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)

@@ -24,7 +24,7 @@ std::string microseconds(Time t) {
     return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
 }
 
-/// Returns the names of the partners; for a partner that is not known yet, the channel's name.
+/// Returns the names of the partners. If a partner is not known yet, the name of the channel stands in its place.
 std::string partners_of(const Slice& slice, const char* joined_by) {
     std::vector<std::string> partners;
     for (const Awaited& awaited : slice.awaited)
