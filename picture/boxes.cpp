@@ -78,7 +78,7 @@ private:
     void add_process(std::size_t index) {
         const ProcessInstance& process = n_.processes[index];
         if (n_.nodes[process.node].kind->is_set_by_link())
-            return; // the logic of a switch is not drawn: the wire to its configuration link implies it
+            return; // the picture omits the logic of a switch: the wire to its configuration link implies this logic
         auto name = shortened(process.name) + (process.high_priority ? " !" : "");
         auto kind = process.kind.empty() ? "no program" : shortened(without_folder(process.kind));
         nodes_[process.node].processes.push_back({index, name, kind, {}, 0});

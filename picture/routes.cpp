@@ -171,7 +171,7 @@ private:
             draw_around(index, raster);
     }
 
-    /// Draws a wire around boxes. If no path is found, the wire is a straight line over everything in between.
+    /// Draws a wire around boxes. If no path is found, the wire is a straight line over everything between its ends.
     void draw_around(std::size_t index, Raster& raster) {
         const Span& span = spans_[index];
         const Box &a = box_of(span.from), &b = box_of(span.to);

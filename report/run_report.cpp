@@ -76,7 +76,7 @@ std::string print_part(const RunReport& report, Time part) {
     return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
-/// Returns a part of the run's time as a fraction; null if the run ended in a deadlock.
+/// Returns a part of the run's time as a fraction. Returns null if the run ended in a deadlock.
 boost::json::value part_json(const RunReport& report, Time part) {
     auto share = report.share(part);
     return share ? boost::json::value(*share) : boost::json::value();

@@ -198,8 +198,8 @@ std::optional<Optimum> search_for(Session& session) {
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
 }
 
-/// Returns the critical path of a run with these settings; nullopt if the run was interrupted, or if the path is too
-/// long to be kept.
+/// Returns the critical path of a run with these settings. Returns nullopt if the run was interrupted, or if the path
+/// is too long to be kept.
 std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
     RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),

@@ -159,8 +159,8 @@ void split_nodes(Graph& graph) {
     }
 }
 
-/// Returns the number that the text states in the netlist language, where it may end in K or M; nothing if the text is
-/// not a number.
+/// Returns the number that the text states in the netlist language, where it may end in K or M. Returns nothing if the
+/// text is not a number.
 std::optional<double> number_in(const std::string& text, bool decimal_suffixes) {
     const double kilo = decimal_suffixes ? 1000 : 1024;
     const double factor = text.ends_with('K') ? kilo : text.ends_with('M') ? kilo * kilo : 1;
@@ -168,7 +168,7 @@ std::optional<double> number_in(const std::string& text, bool decimal_suffixes) 
     return number && std::isfinite(*number) ? std::optional(*number * factor) : std::nullopt;
 }
 
-/// Returns why the text is not a value of the attribute; "" if it is one.
+/// Returns why the text is not a value of the attribute. Returns "" if it is one.
 std::string fault_of(const std::string& text, const AttributeDescription& attribute) {
     const auto number = number_in(text, attribute.decimal_suffixes);
     if (!number)

@@ -27,8 +27,8 @@ bool has_shape(std::string_view text, std::initializer_list<std::string_view> sh
     });
 }
 
-/// Returns the number that `count` digits of a text form, beginning with its digit `first`; 0 if the text has fewer
-/// digits. Other characters are skipped.
+/// Returns the number that `count` digits of a text form, beginning with its digit `first`. Returns 0 if the text has
+/// fewer digits. Other characters are skipped.
 int number_of(std::string_view text, std::size_t first, std::size_t count) {
     std::string digits;
     std::ranges::copy_if(text, std::back_inserter(digits), is_digit);

@@ -170,8 +170,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     if (state_.impossible)
         return;
     if (valve != state_.valve)
-        state_ =
-            {}; // forgets the earlier movements: with another source of the areas, a healthy link has another offset
+        state_ = {}; // a healthy link has another offset with another source of the areas
     state_.valve = valve;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),

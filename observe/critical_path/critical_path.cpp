@@ -26,7 +26,7 @@ std::string executive_of(const Process& process) { return process.executive() ? 
 
 bool outputs(const Process& process) { return process.activity() == Activity::outputting; }
 
-/// Returns the channel whose message ends the wait; null if no message ends the wait.
+/// Returns the channel whose message ends the wait. Returns null if no message ends the wait.
 const AnyChannel* channel_of_message(const Process& process) {
     const auto channels = process.awaited_channels();
     auto found = std::ranges::find_if(channels, [&](const AnyChannel* channel) {
