@@ -92,7 +92,7 @@ private:
         return counts;
     }
 
-    /// All nodes of an array have the size of the largest node.
+    /// Finds the sizes of all boxes. All nodes of an array get the size of the largest node of the array.
     void find_sizes() {
         std::map<std::string_view, Size> largest;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {

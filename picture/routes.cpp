@@ -115,8 +115,8 @@ private:
         });
     }
 
-    /// Returns the first free straight line between two boxes, tried from the middle of their shared range outwards;
-    /// empty if there is none.
+    /// Returns the first free straight line between two boxes, or an empty path. The lines are tried from the middle of
+    /// the boxes' shared range outwards.
     template <class LineAt>
     Path first_clear(const Span& span, double middle, double reach, LineAt line_at) const {
         for (double offset = 0; offset + pitch <= reach; offset += port_pitch)

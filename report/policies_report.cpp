@@ -84,7 +84,7 @@ PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     return asked;
 }
 
-/// Returns the query with only the policies and forms of that name. Returns nothing if there are none.
+/// Returns the query with only the policies and forms of that name. Returns nothing if no policy or form has the name.
 std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     std::vector<PolicyDescription>& policies = asked.noun.policies;
     std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });

@@ -27,7 +27,7 @@ namespace {
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
 constexpr std::array occam_options = {"--mode", "--no-checks"};
 
-/// Returns why a text is not the size of a memory. Returns "" if it is a valid size.
+/// Returns the reason why a text is not the size of a memory. Returns "" if the text is a valid size.
 std::string not_a_size(const std::string& text) {
     const std::optional<std::uint64_t> size = bytes_of_size(text);
     if (!size)

@@ -79,8 +79,8 @@ std::string described(const Awaited& awaited) {
                        json_text(awaited.partner.empty() ? "none yet" : awaited.partner));
 }
 
-/// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait. Returns "" if there are
-/// none.
+/// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait. Returns "" for a slice
+/// without arguments.
 std::string arguments(const Slice& slice) {
     if (slice.activity == Activity::carrying && !slice.open)
         return fmt::format(R"({{"bytes":{}}})", slice.bytes);

@@ -65,7 +65,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
 }
 
 void GeneratorRun::finish() {
-    // Notes the place also if the run ends while this process waits.
+    // Notes the generator's place also if the run ends while this process waits.
     const std::shared_ptr<const void> leaving(nullptr, [this](const void*) { note_place(); });
     if (generator_)
         python_.call([&] { step(py::none()); });
