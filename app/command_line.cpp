@@ -85,8 +85,7 @@ std::vector<NamedMeaning> meanings_of_commands(const DeclaredCommand& program) {
     return meanings;
 }
 
-/// Throws UserError if the first word is not a command. Without this check, CLI11 would report that the command is
-/// missing.
+/// Throws UserError if the first word is not a command. CLI11 would only report that a command is missing.
 void require_command(const DeclaredCommand& program, std::span<char*> words) {
     std::string first = words.front();
     bool option = first.starts_with('-');
@@ -210,7 +209,7 @@ std::string why_it_is_terminated() {
     }
 }
 
-/// Reports an exception that left a destructor or a noexcept function, so that no handler can be reached.
+/// Reports an exception that no handler can catch, because it left a destructor or a noexcept function.
 [[noreturn]] void report_termination() {
     const char* left = std::current_exception() ? "; the exception left a destructor or a noexcept function" : "";
     std::string what = fmt::format("{}: {}{}", what_is_running(), why_it_is_terminated(), left);
@@ -276,7 +275,7 @@ int carry_out(Program program, int argc, char** argv, const std::function<void()
     Action chosen;
     declare_all(app, program.commands, typed(argc, argv), chosen);
     app.set_version_flag("-v,-V,--version", version_of_program());
-    app.footer( // set last: a new subcommand inherits the footer that its parent has
+    app.footer( // set last, because each new subcommand would inherit the footer
         "The file name - stands for standard input, if a command reads it, or for standard output.\nexit codes: 0 "
         "success, 1 wrong use or "
         "bad input, 2 deadlock, 3 a comparison missed its tolerance,\n            70 a defect of PlacedPar, 130 "

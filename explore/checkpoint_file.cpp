@@ -28,7 +28,7 @@ namespace json = boost::json;
 
 constexpr std::string_view checkpoint_format = "checkpoint 2"; ///< changes whenever the format of the file changes
 
-/// Numbers are stored as their bits, so that they are read back exactly.
+/// Returns an individual as JSON. The fitness is stored as its bits, so that reading restores it exactly.
 json::object json_of(const Individual& individual) {
     return {{"genome", individual.genome.to_string()},
             {"fitness_bits", std::bit_cast<std::uint64_t>(individual.fitness)}};

@@ -14,7 +14,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns n if the unit is 10^n picoseconds; nothing for an unknown unit.
+/// Returns n if the unit is 10^n picoseconds. Returns nothing for an unknown unit.
 std::optional<int> power_of(std::string_view unit) {
     constexpr std::pair<std::string_view, int> units[] = {{"s", 12}, {"ms", 9}, {"us", 6}, {"ns", 3}, {"ps", 0}};
     for (const auto& [name, power] : units)

@@ -7,7 +7,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns, for each individual of `bests`, its errors at the samples of a window.
+/// Returns the errors of each individual of `bests` at the samples of a window.
 std::vector<std::vector<double>> errors_in(const SearchProblem& problem, std::span<const Individual> bests,
                                            std::span<const Sample> window) {
     std::vector<std::vector<double>> errors;

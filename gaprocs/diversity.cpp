@@ -9,8 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds the coordinate `which` to the spread (the population as points in space). The coordinate is 1 for `count`
-/// individuals and 0 for the others.
+/// Adds a coordinate with the number `which` to the spread of a population, whose individuals are points in space. The
+/// coordinate is 1 for `count` individuals and 0 for the others.
 void add_count(Spread& spread, std::uint64_t which, std::uint64_t count) {
     auto individuals = static_cast<double>(spread.individuals), ones = static_cast<double>(count);
     spread.centre.push_back({which, ones / individuals});
@@ -74,7 +74,7 @@ Spread spread_of_reals(std::span<const Genome> population, const RealVector& rea
     return spread;
 }
 
-/// Returns, for each pair of neighbouring places in each tour, the code of the pair. The codes are sorted.
+/// Returns a number for each pair of neighbouring places in each tour, in ascending order.
 std::vector<std::uint64_t> neighbours_in(std::span<const Genome> tours, const Permutation& permutation) {
     std::vector<std::uint64_t> pairs;
     for (const Genome& genome : tours) {
@@ -106,7 +106,8 @@ double diversity_of(double squared_distance, const Spread& like) {
     return like.kind == StringKind::real ? std::sqrt(share) : share;
 }
 
-/// Iterates over the centres of several populations at once, one coordinate after another.
+/// Steps through the coordinates of the centres of several populations. At each step it holds the same coordinate of
+/// all centres.
 class CentresInStep {
 public:
     explicit CentresInStep(std::span<const Spread> populations)

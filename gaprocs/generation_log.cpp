@@ -14,9 +14,9 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the objective for a fitness: the fitness itself, or its negative if the objective is minimised. If the
-/// objective was not a finite number, returns the infinity that is worst for the goal. Without an objective, returns
-/// the fitness.
+/// Returns the objective's value for a fitness: the fitness itself, or its negative if the objective is minimised. If
+/// the objective was not a finite number, returns the infinity that is worst for the goal. If the problem has no
+/// objective, returns the fitness.
 double in_its_own_sign(double fitness, std::optional<Goal> goal) {
     if (goal && fitness <= worst_fitness)
         fitness = -std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ std::vector<LoggedStep> GenerationLog::steps_of(std::size_t search) const {
 }
 
 std::vector<LoggedStep> GenerationLog::steps_of_all() const {
-    std::map<std::uint64_t, double> best; // of the searches that made a step in the generation
+    std::map<std::uint64_t, double> best; // key: a generation; value: the best fitness of the searches that log it
     for (std::size_t search = 0; search < searches_.size(); ++search)
         for (const auto& [generation, value] : steps_of(search))
             if (const auto [known, is_new] = best.emplace(generation, value); !is_new)
@@ -210,7 +210,7 @@ std::vector<LogRow> GenerationLog::rows() const {
         for (; answer != answers.end() && answer->generation == number; ++answer)
             rows.push_back(*answer);
     }
-    rows.insert(rows.end(), migration, migrations.end()); // these belong to a generation that no search has logged
+    rows.insert(rows.end(), migration, migrations.end()); // migrations of a generation that no search has logged
     return rows;
 }
 

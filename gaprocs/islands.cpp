@@ -147,7 +147,7 @@ bool Islands::ready() const {
     return false;
 }
 
-/// Finds out which islands make the next generation: islands that are ready and need not skip it.
+/// Chooses the islands that make their next generation now: islands that are ready and need not skip this generation.
 void Islands::choose_islands() {
     for (std::size_t i = 0; i < searches_.size(); ++i)
         made_[i] = ready(i) && (progress_.empty() || !progress_[i]->passes_over());
@@ -206,7 +206,8 @@ std::vector<Migration> Islands::emigrants(std::size_t from) {
     return all;
 }
 
-/// Sends the emigrants. Earlier emigrants of this island that a neighbour has not yet received are dropped.
+/// Sends the island's emigrants to its neighbours. They replace earlier emigrants that a neighbour has not yet
+/// received.
 void Islands::send_by_mail(std::size_t from) {
     auto leaving = emigrants(from);
     for (const Migration& each : leaving)

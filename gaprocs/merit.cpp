@@ -36,11 +36,10 @@ Indices take_front(Indices& left, std::span<const Merit> merits) {
     return front;
 }
 
-/// Adds the part of one cost to the crowding distance of each individual of the front, by which NSGA-II prefers
-/// individuals with distant neighbours. This part is the difference of this cost between the individual's two
-/// neighbours, as a fraction of the range of the cost in the front. The distance of the individuals with the lowest and
-/// the highest cost is infinite. If the range is too large for a double, adds nothing to the distances of the other
-/// individuals.
+/// Adds the part of one cost to the crowding distance of each individual of the front. NSGA-II prefers individuals with
+/// a large crowding distance. The part is the difference of the cost between the individual's two neighbours, divided
+/// by the range of the cost in the front. The distance of the individuals with the lowest and the highest cost is
+/// infinite. If the range is too large for a double, adds nothing to the distances of the other individuals.
 void add_distances(const Indices& front, std::span<const Merit> merits, std::size_t cost,
                    std::vector<double>& distances) {
     Indices order = front;

@@ -8,7 +8,8 @@ namespace placedpar {
 
 namespace {
 
-/// A problem whose strings have don't-care bits between every two neighbouring bits of the original string.
+/// A problem with longer strings than the original problem: don't-care bits lie between every two neighbouring bits of
+/// the original string.
 class StuffedProblem final : public AdaptedProblem {
 public:
     /// REQUIRES: the strings of `plain` are binary.

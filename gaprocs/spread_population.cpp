@@ -11,7 +11,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns `count` codes below 2^bits in equal steps, shuffled (Fisher and Yates).
+/// Returns `count` codes below 2^bits at equal distances, in random order (Fisher and Yates).
 std::vector<std::uint64_t> spread_codes(std::size_t count, std::size_t bits, RandomStream& random) {
     std::vector<std::uint64_t> codes;
     double begin = random.uniform(), all = static_cast<double>(std::uint64_t{1} << bits);

@@ -34,17 +34,17 @@ struct Sums {
 };
 
 /// Neighbouring estimates of a series, which are searched for a change. The scatter is computed from the whole series,
-/// so this struct also describes the rest of the series. `squares_elsewhere` is the sum of the squared distances of the
-/// rest's estimates from their means, in squared standard errors. `degrees_elsewhere` is the number of degrees of
-/// freedom of this sum.
+/// so this struct also describes all other estimates of the series. `squares_elsewhere` is the sum of the squared
+/// distances of the other estimates from their means, in squared standard errors. `degrees_elsewhere` is the number of
+/// degrees of freedom of this sum.
 struct Part {
     std::span<const UncertainValue> estimates;
     double squares_elsewhere = 0;
     std::size_t degrees_elsewhere = 0;
 };
 
-/// A possible change in a Part, before the estimate with index `at`, with sums over the estimates before and after the
-/// change.
+/// A possible change in a Part, just before the estimate with index `at`. The sums are over the estimates before the
+/// change and after the change.
 struct Split {
     std::size_t at = 0;
     Sums before, after;
@@ -112,11 +112,11 @@ class ChangingSeries {
 public:
     explicit ChangingSeries(const std::vector<UncertainValue>& series)
         : series_(series), zero_(series.empty() ? 0 : series.front().value) {
-        for (UncertainValue& each : series_) // shifts the values near 0, so that the sums of squares lose no digits
+        for (UncertainValue& each : series_) // shifts the values to near 0, so that the sums of squares lose no digits
             each.value -= zero_;
     }
 
-    /// Looks for one more change, and returns whether there is one.
+    /// Looks for one more change in the series. Returns whether it has found a change.
     bool split(double level) {
         for (std::size_t part = 0; part <= probabilities_.size(); ++part)
             if (split_part(part, level))

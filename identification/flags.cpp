@@ -58,7 +58,8 @@ void flag_uncertainty(LinkIdentified& link) {
         link.flags.push_back(uncertain_flag(link.compliance_in3_per_psi, link.standard_error));
 }
 
-/// Flags a valve whose reading never changes. A valve that has opened keeps moving, so the sensor must have failed.
+/// Flags a link if the reading of its valve never changes. A valve that has opened keeps moving, so the sensor must
+/// have failed.
 void flag_still_valve(LinkIdentified& link, std::span<const CircuitSample> samples, std::size_t junction, Side side) {
     auto area_in2 = [&](const CircuitSample& sample) {
         const LinkSample& read = sample.links[junction];

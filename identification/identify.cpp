@@ -15,7 +15,7 @@ using namespace hydraulics;
 
 namespace {
 
-/// Returns the last estimate that was not frozen, that is, for which the pressure changed fast enough.
+/// Returns the last estimate that is not frozen. An estimate is frozen while the pressure changes too slowly.
 const TransientEstimate& last_live(std::span<const TransientEstimate> estimates) {
     return *std::ranges::find(estimates.rbegin(), estimates.rend(), false, &TransientEstimate::frozen);
 }
@@ -29,7 +29,7 @@ std::span<const CircuitSample> last_window(std::span<const CircuitSample> sample
     return samples.subspan(first, size - first);
 }
 
-/// Returns the least-squares fit to these samples, started at the search's answer.
+/// Returns the least-squares fit to these samples. The fit starts at the search's answer.
 std::optional<ComplianceFit> fit_beside(const Identified& result, std::span<const CircuitSample> samples,
                                         const FlowConstants& flow) {
     std::vector<double> found;

@@ -37,7 +37,7 @@ std::size_t longest_stretch(std::span<const CircuitSample> samples) {
     return longest;
 }
 
-/// Returns the previous estimate with the time of this sample.
+/// Returns the previous estimate, but with the time of this sample.
 TransientEstimate frozen_estimate(const CircuitSample& sample, TransientEstimate estimate) {
     estimate.index = sample.index;
     estimate.time_s = sample.time_s;
@@ -45,7 +45,7 @@ TransientEstimate frozen_estimate(const CircuitSample& sample, TransientEstimate
     return estimate;
 }
 
-/// Makes the generations of one sample.
+/// Makes the generations that belong to one sample, and returns the new estimate.
 TransientEstimate next_estimate(const CircuitSample& sample, const SearchProblem& problem, Search& search,
                                 const SlidingWindow& window, const WindowSettings& settings) {
     for (std::size_t trial = 0; trial < settings.trials; ++trial)

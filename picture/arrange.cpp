@@ -144,8 +144,8 @@ private:
         return cost;
     }
 
-    /// Returns the cost of a wire from the new node along the vector `way`. Of two places of equal cost, a host or an
-    /// edge takes the left or upper place, and any other node the right or lower place.
+    /// Returns the cost of a wire from the new node along the vector `way`. If two places have equal costs, the result
+    /// prefers the left or upper place for a host or an edge, and the right or lower place for any other node.
     double cost_of(std::size_t node, Point way) const {
         bool leads = n_.nodes[node].kind->drawing.in_first_row || n_.nodes[node].kind->links == LinkRole::edge;
         double towards = leads ? -1 : 1;

@@ -78,7 +78,7 @@ private:
     void add_process(std::size_t index) {
         const ProcessInstance& process = n_.processes[index];
         if (n_.nodes[process.node].kind->is_set_by_link())
-            return; // the logic of a switch is not drawn: the wire to its configuration link implies it
+            return; // the picture omits the logic of a switch: the wire to its configuration link implies this logic
         auto name = shortened(process.name) + (process.high_priority ? " !" : "");
         auto kind = process.kind.empty() ? "no program" : shortened(without_folder(process.kind));
         nodes_[process.node].processes.push_back({index, name, kind, {}, 0});
@@ -92,7 +92,7 @@ private:
         return counts;
     }
 
-    /// All nodes of an array have the size of the largest node.
+    /// Finds the sizes of all boxes. All nodes of an array get the size of the largest node of the array.
     void find_sizes() {
         std::map<std::string_view, Size> largest;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {

@@ -31,8 +31,8 @@ std::filesystem::path find_gnuplot() {
     return path;
 }
 
-/// Returns an unnamed file that contains the script. A pipe could not be written if gnuplot had already ended with an
-/// error.
+/// Returns an unnamed file that contains the script. A file is safer than a pipe, because writing to a pipe fails if
+/// gnuplot has already ended with an error.
 std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_of(const std::string& script) {
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
     if (!file || std::fwrite(script.data(), 1, script.size(), file.get()) != script.size() ||

@@ -181,7 +181,8 @@ private:
         return a + 1 == b || b + 1 == a;
     }
 
-    /// Returns the path between neighbours in a row, or between nodes in consecutive rows; nullopt for other nodes.
+    /// Returns the path between neighbours in a row, or between nodes in consecutive rows. Returns nullopt for other
+    /// nodes.
     std::optional<Path> between_neighbours(std::size_t a, std::size_t b) const {
         Point at = layout_.places[a], to = layout_.places[b];
         if (at.y == to.y && follow(row(a), at.x, to.x)) {

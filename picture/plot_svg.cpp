@@ -78,12 +78,12 @@ std::string range_commands(const char* letter, const Axis& axis) {
                        axis.logarithmic ? "set" : "unset");
 }
 
-/// Returns the usual size of letters; a smaller size if the text would be longer than `length` pixels.
+/// Returns the usual size of letters. If the text would then be longer than `length` pixels, returns a smaller size.
 double letter_size(const std::string& text, double usual, int length) {
     return std::min(usual, 15. * length / (legend_letter * static_cast<double>(letters(text)) + 1));
 }
 
-/// Sets the label of an axis, in smaller letters if it would be longer than the axis.
+/// Sets the label of an axis. The letters are smaller if the label would otherwise be longer than the axis.
 std::string label_commands(const char* letter, const Axis& axis, int length) {
     double size = letter_size(axis.label, 15, length);
     return fmt::format("set {}label {} {}{}\n", letter, quoted(axis.label), *letter == 'x' ? "offset 0,0.4" : "",

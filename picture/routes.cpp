@@ -115,8 +115,8 @@ private:
         });
     }
 
-    /// Returns the first free straight line between two boxes, tried from the middle of their shared range outwards;
-    /// empty if there is none.
+    /// Returns the first free straight line between two boxes, or an empty path. The lines are tried from the middle of
+    /// the boxes' shared range outwards.
     template <class LineAt>
     Path first_clear(const Span& span, double middle, double reach, LineAt line_at) const {
         for (double offset = 0; offset + pitch <= reach; offset += port_pitch)
@@ -171,7 +171,7 @@ private:
             draw_around(index, raster);
     }
 
-    /// Draws a wire around boxes. If no path is found, the wire is a straight line over everything in between.
+    /// Draws a wire around boxes. If no path is found, the wire is a straight line over everything between its ends.
     void draw_around(std::size_t index, Raster& raster) {
         const Span& span = spans_[index];
         const Box &a = box_of(span.from), &b = box_of(span.to);

@@ -129,8 +129,8 @@ std::string print_error(const Cell& cell, const std::string& against) {
     return error ? fmt::format("{:+.1f}%", *error) : "";
 }
 
-/// Returns the tolerance in the cell's unit or in percent; "" if the cell is not judged, or is judged by a bound, which
-/// is printed instead of the error.
+/// Returns the tolerance in the cell's unit or in percent. Returns "" if the cell is not judged, or if a bound judges
+/// the cell. The bound is then printed in place of the error.
 std::string print_tolerance(const Cell& cell) {
     if (cell.at_least || cell.at_most || !cell.reference)
         return "";
@@ -163,7 +163,7 @@ void widen(std::size_t& width, const std::string& figure) {
         width = std::max({width, figure.size(), least_width});
 }
 
-/// Sets the widths of the columns, and whether rows name origins.
+/// Sets the widths of the table's columns, and whether its rows name their origins.
 ShownTable with_what_is_shown(ShownTable table, const Comparison& comparison) {
     const std::string& against = comparison.against;
     table.names_origins = comparison.names_origins;
@@ -177,7 +177,8 @@ ShownTable with_what_is_shown(ShownTable table, const Comparison& comparison) {
     return table;
 }
 
-/// Returns a blank and the text, right-aligned to the width; "" for a column without such figures, whose width is 0.
+/// Returns a blank and the text, right-aligned to the width. A width of 0 means that the column has no such figures;
+/// the result is then "".
 std::string in_width(const std::string& text, std::size_t width) {
     return width ? fmt::format(" {:>{}}", text, width) : "";
 }

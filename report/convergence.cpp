@@ -23,7 +23,8 @@ std::size_t generations_of_all(const ConvergenceCurve& curve) {
     return std::ranges::min_element(curve.runs, {}, &std::vector<double>::size)->size();
 }
 
-/// Returns the indices of the generations that are drawn: all, or every second, third, ..., and the last.
+/// Returns the indices of the drawn generations: all, or every second, third and so on. The last generation is always
+/// drawn.
 std::vector<std::size_t> drawn(std::size_t generations) {
     std::size_t step = (generations + most_points - 1) / most_points;
     std::vector<std::size_t> some;
@@ -94,8 +95,9 @@ ConvergenceCurve curve_of(std::string name, std::span<const SeededLog> logs, con
     return curve;
 }
 
-/// Returns where the axis of a rising quantity begins; nothing if gnuplot may choose. Leaves out the lowest twentieth
-/// of the points, often the first generations, if these points would take more than half of the height.
+/// Returns where the axis of a rising quantity begins. Returns nothing if gnuplot may choose the beginning. Leaves out
+/// the lowest twentieth of the points, often the first generations, if these points would take more than half of the
+/// height.
 std::optional<double> beginning_of_axis(const Panel& panel) {
     std::vector<double> values;
     for (const Series& series : panel.series)

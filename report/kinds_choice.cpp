@@ -16,8 +16,8 @@ namespace {
 /// Returns "master" for "ga.master"; the name itself if it has no group.
 std::string_view name_in_group(std::string_view name) { return name.substr(name.find('.') + 1); }
 
-/// Returns the kind whose name without its group equals this name or is similar to it, since users leave the group out.
-/// Returns "" if there is no such kind.
+/// Returns the kind whose name without its group equals this name or is similar to this name, since users leave the
+/// group out. Returns "" if there is no such kind.
 std::string kind_without_group(const Catalogue& catalogue, const std::string& name) {
     std::vector<std::string> short_names;
     for (const auto& [full, kind] : catalogue.kinds()) {

@@ -84,7 +84,7 @@ PolicyQuery ask_all(const Catalogue& catalogue, Noun noun) {
     return asked;
 }
 
-/// Returns the query with only the policies and forms of that name; nothing if there are none.
+/// Returns the query with only the policies and forms of that name. Returns nothing if no policy or form has the name.
 std::optional<PolicyQuery> ask_one(PolicyQuery asked, const std::string& base) {
     std::vector<PolicyDescription>& policies = asked.noun.policies;
     std::erase_if(asked.noun.forms, [&](const Form& form) { return form.name != base; });
@@ -151,8 +151,8 @@ std::string print_deciding(const PolicyParameter& deciding) {
            fmt::format("  {:<28} of {}\n", "", fmt::join(deciding.kinds, ", "));
 }
 
-/// Returns the text that selects the policy in a netlist: `reproduction = "roulette"`; "" if no parameter accepts the
-/// policy.
+/// Returns the text that selects the policy in a netlist: `reproduction = "roulette"`. Returns "" if no parameter
+/// accepts the policy.
 std::string assignment(const PolicyQuery& asked, const std::string& written) {
     auto takes_policies = [](const PolicyParameter& each) { return each.parameter->check != nullptr; };
     auto found = std::ranges::find_if(asked.parameters, takes_policies);

@@ -17,7 +17,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the family of this name; nothing if there is none.
+/// Returns the family of this name. Returns nothing if no family has the name.
 std::optional<PolicyDescription> family_named(const ProblemRegistry& problems, std::string_view name) {
     auto families = problems.families();
     auto found = std::ranges::find(families, name, &PolicyDescription::name);

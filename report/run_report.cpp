@@ -76,7 +76,7 @@ std::string print_part(const RunReport& report, Time part) {
     return share ? fmt::format("{:.1f}%", 100 * *share) : print_time(part);
 }
 
-/// Returns a part of the run's time as a fraction; null if the run ended in a deadlock.
+/// Returns a part of the run's time as a fraction. Returns null if the run ended in a deadlock.
 boost::json::value part_json(const RunReport& report, Time part) {
     auto share = report.share(part);
     return share ? boost::json::value(*share) : boost::json::value();
@@ -304,8 +304,8 @@ std::string print_outcome(const RunReport& report) {
     return painted(well ? Paint::success : Paint::failure, name_of(outcome));
 }
 
-/// Prints the errors that have halted processors of a network. They are printed before the processes that wait for ever
-/// as a result.
+/// Prints the errors that have halted processors of a network. These errors stand before the list of processes that
+/// wait for ever as a result.
 std::string print_halts(const RunReport& report) {
     std::string out;
     if (report.programs.size() > 1)

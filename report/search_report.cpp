@@ -21,7 +21,7 @@ struct SearchSummary {
     std::string process;
     std::size_t generations;
     LoggedGeneration first, last;
-    std::uint64_t nearly_there; ///< first generation in which the best so far had made 99 % of its progress
+    std::uint64_t nearly_there; ///< the first generation in which the best value so far has made 99 % of its progress
     std::size_t accepted = 0, turned_away = 0;
     bool of_all = false;
 };

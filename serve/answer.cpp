@@ -70,8 +70,8 @@ private:
     std::string output_;
 };
 
-/// Returns the host for a further run with changed settings. The host presses the same keys as in the first run, but
-/// does not show the screen.
+/// Returns the host for another run with changed settings. This host presses the same keys as the host of the first
+/// run, and discards the output to the screen.
 HostServices silent_host(const std::string& keys) {
     HostServices host;
     host.terminal = [keys] { return std::make_shared<iserver::ScriptedTerminal>(keys, [](std::string_view) {}); };
@@ -170,12 +170,12 @@ json::object answered(const Job& job, Interruption& interruption) {
     return answer;
 }
 
-/// Returns the answer to a job that has no other answer, because an error ended it.
+/// Returns the answer to a job that an error ended before it had an answer.
 std::string failed_answer(const char* ended, const std::string& reason) {
     return json::serialize(json::object{{"ended", ended}, {"refused", reason}});
 }
 
-/// Reads the job before anything is run, so that errors of a run are not taken for errors of the job.
+/// Reads the job. Runs nothing yet, so that errors of a run are not taken for errors of the job.
 std::optional<Job> job_in(const std::string& text, std::string& wrong) {
     try {
         return job_of(text);

@@ -24,7 +24,7 @@ namespace {
 
 Interruption* interrupted_by_alarm = nullptr; ///< interruption of the current job
 
-/// Requests an interruption after a time, unless this object is destroyed earlier. REQUIRES: no other object of this
+/// Requests an interruption after a time. Destroying this object cancels the request. REQUIRES: no other object of this
 /// class exists.
 class Deadline {
 public:
@@ -54,7 +54,7 @@ std::string answer_of(const std::string& job, const RunLimits& limits) {
 }
 
 bool do_job(const RunLimits& limits) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // without the service the answer is useless
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL); // ends this process with the service, because the answer would be useless
     const std::string job(std::istreambuf_iterator<char>(std::cin), {});
     ::mallopt(M_ARENA_MAX, 1); // each thread would otherwise reserve address space, which is limited
     try {

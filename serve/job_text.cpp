@@ -13,7 +13,7 @@ namespace json = boost::json;
 
 namespace {
 
-/// Returns the member as a string; "" if the job does not have the member.
+/// Returns the member as a string. Returns "" if the job does not have the member.
 std::string text_in(const json::object& job, const char* name) {
     const json::value* found = job.if_contains(name);
     if (found && !found->is_string())

@@ -65,7 +65,8 @@ std::string refused(const char* ended, const std::string& why) {
     return boost::json::serialize(boost::json::object{{"ended", ended}, {"refused", why}});
 }
 
-/// Returns the answer for the user of a job whose process gave no answer. A killed process has exceeded a limit.
+/// Returns an answer that tells the user why the process of a job gave no answer. A killed process has exceeded a
+/// limit.
 std::string why_no_answer(int status, const RunLimits& limits) {
     if (!WIFSIGNALED(status) || (WTERMSIG(status) != SIGKILL && WTERMSIG(status) != SIGXCPU))
         return refused("failed", fmt::format("the run has crashed: either it needed more memory than its limit of {} "

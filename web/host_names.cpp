@@ -44,7 +44,7 @@ std::optional<std::string> host_in(std::string_view field) {
     if (!error && address.is_v6() == bracketed)
         return plain_address(address).to_string();
     std::string name = in_small_letters(host);
-    if (name.ends_with('.')) // a final dot stands for the DNS root
+    if (name.ends_with('.')) // a final dot stands for the root of the domain name system
         name.pop_back();
     if (bracketed || name.empty() || name.find_first_not_of(name_letters) != name.npos)
         return std::nullopt;

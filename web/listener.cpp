@@ -58,8 +58,8 @@ Caller caller_of(Listener::Socket& socket) {
     return {peer_at(there), fmt::format("{} port {}", there.to_string(), tcp.port()), here.to_string()};
 }
 
-/// Makes the path free for a new socket. Removes an old socket at which no program listens any more. If anything else
-/// has this path, throws UserError.
+/// Makes the path free for a new socket. Removes an old socket if no program listens at this socket any more. Throws
+/// UserError if anything else has this path.
 void clear_path(const std::string& path) {
     namespace fs = std::filesystem;
     if (!fs::exists(fs::symlink_status(path)))

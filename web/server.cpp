@@ -36,7 +36,8 @@ public:
         : server_(&server), stream_(std::move(socket)), caller_(std::move(caller)) {}
 
     const Caller& caller() const { return caller_; }
-    /// Returns when the session began to wait for a request or for its answer to be read.
+    /// Returns the time at which the session began its present wait: for a request, or for the client to read an
+    /// answer.
     std::chrono::steady_clock::time_point since() const { return since_; }
 
     void read() {
@@ -140,7 +141,7 @@ private:
 
     bool posts() const { return parser_->get().method() == http::verb::post; }
 
-    /// If the service never accepts such a request, returns the refusal, otherwise nullopt.
+    /// Returns the refusal of a request that the service never accepts, otherwise nullopt.
     std::optional<Answer> unwanted() const {
         const auto& request = parser_->get();
         const bool takes_posts = server_->settings_.most_body_bytes > 0;
@@ -153,7 +154,7 @@ private:
                                   : "only GET and HEAD are allowed: nothing can be changed over HTTP\n"};
     }
 
-    /// If the request may come from the page of another web site, returns the refusal, otherwise nullopt.
+    /// Returns the refusal of a request that may come from the page of another web site, otherwise nullopt.
     std::optional<Answer> foreign() const {
         const auto& request = parser_->get();
         auto count = request.count(http::field::host);

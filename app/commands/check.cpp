@@ -23,7 +23,8 @@ struct CheckCommandOptions {
     std::string format = "text";
 };
 
-/// Prints the warnings and the summary. If the file has errors, throws RefusedInput with them instead.
+/// Prints the warnings and the summary. If the file has errors, throws RefusedInput with the errors and the warnings
+/// instead.
 void print_checked(const CheckedFile& checked) {
     const std::string text = render(checked.diagnostics) + checked.not_shown;
     if (checked.failed())

@@ -18,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// In both scripts PROGRAM is replaced by the program's name.
+/// The completion scripts for bash and zsh. In both scripts PROGRAM is replaced by the program's name.
 constexpr const char* bash_script =
     R"bash(# Asks the program for the words that may come next. If there are none, bash completes file names.
 _PROGRAM() {
@@ -78,7 +78,7 @@ Words without_equals(const Words& typed) {
     return words;
 }
 
-/// Returns the candidates for the last word, whatever the word begins with.
+/// Returns all candidates for the last word, also candidates that do not begin as the typed word does.
 Words candidates(const DeclaredCommand& program, const Words& words) {
     if (words.size() < 2)
         return first_words(program);

@@ -43,7 +43,7 @@ std::optional<std::string> first_line_of(const char* command) {
         return std::nullopt;
     std::string text = line.data();
     while (std::fgets(line.data(), line.size(), output.get())) {
-    } // the rest is read because a program may print an error if its output is closed early
+    } // the rest is read, too, because a program may print an error if its output is closed early
     return text.substr(0, text.find_last_not_of(" \n") + 1);
 }
 
@@ -60,8 +60,8 @@ std::optional<std::string> find_module_of_ranks() {
     return module.empty() ? std::nullopt : std::optional(module.string());
 }
 
-/// Returns whether the kernel can filter system calls, which `serve` needs. Tries to install a filter at address 0. A
-/// kernel that has filters refuses the address; a kernel without filters refuses the call.
+/// Returns whether the kernel can filter system calls, which `serve` needs. Tries to install a filter at address 0: a
+/// kernel with filters refuses the address, a kernel without filters refuses the call.
 std::optional<std::string> find_filters_of_calls() {
     const bool refused = ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr, 0, 0) < 0;
     return refused && errno == EFAULT ? std::optional<std::string>("yes") : std::nullopt;

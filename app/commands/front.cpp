@@ -24,7 +24,8 @@ struct FrontOptions {
     std::uint64_t generations = 250, population = 100, seed = 1;
 };
 
-/// Prints a row for each individual: its objectives, then its parameters, or its string if it codes no numbers.
+/// Prints a row for each individual: its objectives, then its parameters. If the individual codes no numbers, its
+/// string stands in place of the parameters.
 std::string front_csv(const SearchProblem& problem, const std::vector<std::string>& objectives,
                       const FrontResult& result) {
     const auto line = [](const auto& values) { return fmt::format("{}", fmt::join(values, ",")); };

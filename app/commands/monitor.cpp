@@ -185,7 +185,7 @@ void announce(const ServiceSettings& settings, const Service& service) {
 }
 
 ExitCode serve(const ServiceSettings& settings) {
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is handled like a full disk
+    std::signal(SIGXFSZ, SIG_IGN); // a write beyond the limit of a file's size then fails like a write to a full disk
     Log log(STDERR_FILENO);
     Service service(settings, log);
     service.heed_signals();

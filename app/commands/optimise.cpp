@@ -89,8 +89,8 @@ Network network_with(const Study& study, const Overrides& settings) {
         study.netlist, settings, known_problems(0), [](const std::string&) {}, study.read);
 }
 
-/// Returns the network of the unchanged netlist. If that is not valid, returns the network of one of the machines among
-/// which the study searches.
+/// Returns the network of the unchanged netlist. If this network is not valid, returns the network of one of the
+/// machines among which the study searches.
 Network some_network(const Study& study, const MachineSpace& space) {
     try {
         return network_with(study, space.fixed());
@@ -148,16 +148,16 @@ std::optional<double> seconds_of(const Study& study, Session& session) {
     return StudySweep(study, session.results).seconds_a_run(session.interruption);
 }
 
-/// Returns how long this computer needs for a run of the unchanged netlist or, if that is not valid, of the first
-/// machine. Returns nullopt if interrupted.
+/// Returns how long this computer needs for a run of the unchanged netlist. If this netlist is not valid, returns the
+/// time for the first machine. Returns nullopt after an interruption.
 std::optional<double> seconds_of_a_run(Session& session) {
     std::optional<double> seconds = seconds_of(study_of(session.study, {session.space.fixed()}), session);
     std::optional<StudyOutcome> start = session.results.find({session.space.fixed(), session.study.first_seed});
     return start && start->refused.empty() ? seconds : seconds_of(session.study, session);
 }
 
-/// Returns whether to begin the search. If it may need very many runs, asks the user. Returns false if the session was
-/// interrupted.
+/// Returns whether to begin the search. Asks the user first if the search may need very many runs. Returns false if the
+/// session was interrupted.
 bool is_meant(Session& session) {
     std::uint64_t runs = most_runs(session);
     if (runs <= most_unasked || session.options.yes)
@@ -198,8 +198,8 @@ std::optional<Optimum> search_for(Session& session) {
     return go_all_ways(session, search, optimum) ? std::optional(std::move(optimum)) : std::nullopt;
 }
 
-/// Returns the critical path of a run with these settings; nullopt if the run was interrupted, or if the path is too
-/// long to be kept.
+/// Returns the critical path of a run with these settings. Returns nullopt if the run was interrupted, or if the path
+/// is too long to be kept.
 std::optional<std::vector<PathPart>> path_of(Session& session, const Overrides& settings) {
     CriticalPath path;
     RunReport report = run_netlist(network_with(session.study, settings), known_problems(session.study.first_seed),

@@ -102,7 +102,7 @@ std::optional<SimulatedTimes> simulate(const SendOptions& options, const Options
     return times;
 }
 
-/// Prints how long the board took, measured by the clock of this computer, and beside it the simulated time.
+/// Prints the time on the board, measured by the clock of this computer, and the simulated time.
 std::string print_times(const std::string& what, std::chrono::microseconds measured, std::optional<double> simulated,
                         const std::string& more) {
     return fmt::format("{:<9}  {:10.6f} s  {:>12}   {}\n", what, in_seconds(measured),

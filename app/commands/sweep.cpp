@@ -126,8 +126,7 @@ std::filesystem::path results_of(const SweepOptions& options) {
 /// Shows one line with the progress and the remaining time.
 class SweepProgress {
 public:
-    /// Shows the progress of the runs that are missing in the results. `made` is the number of these that have been
-    /// made already.
+    /// Shows the progress of the runs that the results lack. `made`: how many of these runs have been made already.
     SweepProgress(const StudySweep::Missing& missing, std::uint64_t made) : missing_(missing), made_(made) {}
 
     void show(std::uint64_t ended) {

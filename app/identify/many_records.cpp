@@ -191,7 +191,7 @@ private:
 } // namespace
 
 ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& json) {
-    settings_of(options); // reports wrong settings before anything is read
+    settings_of(options); // reports wrong settings before any record is read
     if (!options.trend.empty())
         require_gnuplot();
     std::vector<RecordAnswer> answers;

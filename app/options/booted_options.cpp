@@ -27,7 +27,7 @@ namespace {
 constexpr std::array machine_options = {"--processor", "--memory", "--memorycycles"};
 constexpr std::array occam_options = {"--mode", "--no-checks"};
 
-/// Returns why a text is not the size of a memory; "" if it is a valid size.
+/// Returns the reason why a text is not the size of a memory. Returns "" if the text is a valid size.
 std::string not_a_size(const std::string& text) {
     const std::optional<std::uint64_t> size = bytes_of_size(text);
     if (!size)
@@ -44,7 +44,7 @@ std::string not_memory_cycles(const std::string& text) {
     return cycles && *cycles >= 1 && *cycles <= 1000 ? "" : fmt::format("{}: expected 1 to 1000 cycles", text);
 }
 
-/// Returns the character that a letter after a backslash means; nullopt if the letter has no such meaning.
+/// Returns the character that a letter after a backslash means. Returns nullopt if the letter has no such meaning.
 std::optional<char> escaped(char letter) {
     switch (letter) {
     case 'r': return '\r';

@@ -32,7 +32,7 @@ std::string print_count(std::uint64_t count) {
 
 namespace {
 
-/// The interval of polling. A signal that comes just before a wait does not interrupt the wait.
+/// The time between two checks for a signal. A signal just before a wait does not interrupt the wait.
 constexpr int often_ms = 100;
 
 /// Waits until there is an answer or the input ends. Returns false if interrupted.

@@ -51,8 +51,8 @@ std::size_t threads_of(const NativeOptions& options, const Network& network) {
     return std::min(options.threads == 0 ? count_cores() : options.threads, useful);
 }
 
-/// Returns the computing time of each node in a simulated run, so that nodes with much work can be put on different
-/// ranks.
+/// Returns the computing time of each node in a simulated run. With these times, nodes with much work can be put on
+/// different ranks.
 std::vector<Time> simulated_loads(const Network& network, std::uint64_t seed, Interruption& interruption) {
     const RunReport report = run_netlist(network, known_problems(seed), {.seed = seed, .interruption = &interruption});
     std::vector<Time> loads(network.nodes.size());

@@ -21,7 +21,7 @@ Option add_set(Options& command, std::vector<std::string>& settings, const std::
 
 namespace {
 
-/// Splits `text` at its first `=`. If there is none, throws UserError, which states what the option takes.
+/// Splits `text` at its first `=`. If the text has no `=`, throws UserError, which states what the option takes.
 std::pair<std::string, std::string> cut_at_equals(const std::string& option, const std::string& text,
                                                   const std::string& takes) {
     std::size_t equals = text.find('=');

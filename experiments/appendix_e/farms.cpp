@@ -29,8 +29,8 @@ Overrides overrides_of(const FarmOnDemand& farm, int under_way) {
             {"master.rehearsals", "0"}};
 }
 
-/// Adds T_sr, and the mean and the least load of the slaves' processors. The loads are computed here because a study's
-/// measure of the load would include the master's processor.
+/// Adds T_sr, and the mean and the least load of the slaves' processors. This function computes the loads itself,
+/// because a study's measure of the load would include the master's processor.
 void add_under_way(Comparison& comparison, const StudyReplay& study, const FarmOnDemand& farm, int under_way) {
     const Overrides set = overrides_of(farm, under_way);
     double least = 100, mean = 0;
@@ -64,7 +64,7 @@ Panel farm_panel(const StudyReplay& study, const Comparison& table, const std::s
         auto series = std::ranges::find(panel.series, cell.column, &Series::name);
         if (series == panel.series.end())
             series = panel.series.insert(series, {.name = cell.column, .points = {}});
-        // The row's name is a text such as "12 slaves".
+        // The row's name is a text such as "12 slaves", which contains the number of slaves.
         series->points.push_back({study.number_in(cell.row), cell.simulated});
     }
     return panel;

@@ -134,8 +134,8 @@ constexpr std::array times_of_table{
     TimeOfTable{"S_time2", {10.5, 10.5, 10.5, 10.5}},
 };
 
-/// Runs a netlist of the thesis whose processes are in C++. The run has no slaves, because slaves do not change the
-/// strings.
+/// Runs a netlist of the thesis whose processes are in C++. The run has no slaves, because the strings are the same
+/// with and without slaves.
 RunReport run_in_cpp(const char* netlist, const ReplayContext& context) {
     return run_to_the_end(context.examples / "thesis" / netlist, {{"slaves", "0"}}, context);
 }

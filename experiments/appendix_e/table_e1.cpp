@@ -45,7 +45,7 @@ std::string print_constants(const ReplayContext& context) {
         value(at_120, "cycles_per_measurement_word"), at_120.nodes[master_of(at_120).node].integer("channelcall"));
 }
 
-/// A column of Table E.1. The functions throw UserError if the study's file lacks the cell.
+/// A column of Table E.1. Each function throws UserError if the study's file lacks the cell that the function reads.
 struct TimingColumn {
     const StudyReplay& study;
     const Comparison& table;
@@ -95,8 +95,8 @@ Comparison communication_table(const StudyReplay& study, const Comparison& table
     return comparison;
 }
 
-/// Returns the study's tables, with the table of the communication and the constants of the netlist added. The notes of
-/// the tables refer to these constants.
+/// Returns the study's tables, the table of the communication, and the constants of the netlist. The notes of the
+/// tables refer to these constants.
 Replay replay_table_e1(const ReplayContext& context) {
     const StudyReplay study(context, "thesis/table-e1/table-e1.toml");
     Replay replay = study.replay();

@@ -8,8 +8,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns a text with the parts of a generation's time on sixteen transputers. Beside each part is a sixteenth of the
-/// time that the traditional algorithm needs for this part.
+/// Returns a text with the parts of a generation's time on sixteen transputers. Beside each part stands a sixteenth of
+/// the time that the traditional algorithm needs for the part.
 std::string print_where_it_goes(const StudyReplay& study, const char* individuals) {
     auto figure = [&](const char* clusters, const char* slaves, const char* population, const char* name) {
         return study.measured(

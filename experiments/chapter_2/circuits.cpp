@@ -177,7 +177,7 @@ std::vector<CaptionedCircuit> circuits_of(Configuration configuration) {
     return circuits;
 }
 
-/// Returns the names, such as "b, d", of all configurations in which `is` returns true for the junction of this link.
+/// Returns the names, such as "b, d", of all configurations in which is(junction of this link) is true.
 template <class Is>
 std::string configurations_with(Link link, Is is) {
     std::string names;

@@ -25,7 +25,8 @@ using MaybeOfPoint = std::function<std::optional<double>(const SteadyFlowPoint&)
 
 constexpr std::array pressures_psi{2030, 1830, 1630};
 
-/// A quantity computed for each entry of the table, which has a row for each flow and a column for each pressure.
+/// A quantity that is computed for each entry of the table. The table has a row for each flow and a column for each
+/// pressure.
 struct Quantity {
     const char* name;
     const char* unit;

@@ -94,7 +94,8 @@ struct OtherMotion {
 };
 constexpr std::array other_motions{OtherMotion{3, 9, 18}, OtherMotion{5, 13, 25}};
 
-/// Adds the comparison of one motion with its simulation. The compliance was identified from another motion.
+/// Adds the comparison of one motion with its simulation. The simulation uses a compliance that was identified from
+/// another motion.
 void add_motion(Comparison& comparison, double deg_per_s, const BoomData& data, double identified_in3_per_psi,
                 double excellent_psi) {
     auto row = [&](const char* what) { return fmt::format("{} deg/s: {}", deg_per_s, what); };

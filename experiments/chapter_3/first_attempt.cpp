@@ -21,7 +21,7 @@ using namespace identification;
 
 namespace {
 
-// The duration includes a second of steady motion after the transient.
+// The duration includes a second of steady motion after the transient, from which the offset is calibrated.
 constexpr double attempt_s = 4;
 
 /// Simulates the motion once and measures it for each seed.

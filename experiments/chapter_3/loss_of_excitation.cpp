@@ -24,7 +24,7 @@ constexpr std::size_t records_shown = 50; // number of records for the ways of s
 constexpr std::size_t lost_for = 20;      // number of samples; this corresponds to 100 of the 600 generations of a
                                           // search
 
-/// Extends a search to 600 generations, well past generation 425, at which the estimates of Figure 3.11 deviate.
+/// Extends a search to 600 generations, well past generation 425, after which the estimates of Figure 3.11 are wrong.
 IdentificationWay prolonged(IdentificationWay way) {
     way.usable.count = 120;
     return way;

@@ -221,7 +221,7 @@ Plot plot_figure_6_1() {
     return {"Figure 6.1: a function on a line", {{.x = {"x", 0, 15}, .y = {"F(x)", 0, 12}, .series = {line, tops}}}};
 }
 
-/// Draws the function of Figure 6.1 on the hypercube, with its maxima there.
+/// Draws the function of Figure 6.1 and marks its maxima on the hypercube.
 std::string draw_figure_6_1() {
     DrawnHypercube cube{.title = "the same 16 numbers, four neighbours each"};
     std::vector<std::uint32_t> tops = maxima(neighbours_on_the_cube);

@@ -27,7 +27,7 @@ std::string summary_of(const Network& network) {
                        counted(network.channels.size(), "channel"), network.hash);
 }
 
-/// Says how a program without errors can be used. `main` is null if there is no procedure.
+/// Says how the user can use a program without errors. `main` is null if the file has no procedure.
 std::string use_of(const occam::Declaration* main) {
     if (!main)
         return "the file has no procedure";

@@ -17,7 +17,8 @@ namespace placedpar {
 
 namespace {
 
-/// Returns the first run that satisfies the study's condition; nothing if none of the first 10,000 runs satisfies it.
+/// Returns the first run that satisfies the study's condition. Returns nothing if none of the first 10,000 runs
+/// satisfies the condition.
 std::optional<StudyRun> first_run(const Study& study) {
     constexpr std::uint64_t most_tried = 10'000;
     const StudyRuns runs(study);
@@ -39,7 +40,7 @@ void put_in_study(Diagnostic& fault, const std::filesystem::path& study) {
 
 CheckedFile check_netlist_of(const Study& study, const std::filesystem::path& path, const Catalogue& catalogue) {
     ReadOptions read = study.read;
-    read.make_netlist = netlist_maker({}); // as the study itself reads it
+    read.make_netlist = netlist_maker({}); // the study reads its netlist in this way, too
     const auto run = first_run(study);
     CheckedFile checked = check_netlist(study.netlist, catalogue, run ? run->set : Overrides{}, read);
     for (Diagnostic& each : checked.diagnostics)

@@ -69,8 +69,8 @@ std::string with_section_of(const Network& a, const Network& b, Section section)
     return fmt::format("{}", fmt::join(sections, ""));
 }
 
-/// Returns the first line of a refusal. If it begins with a place in network A as print_cfs() wrote it, returns the
-/// message without this place, since the user has never seen this text.
+/// Returns the first line of a refusal's message. print_cfs() may have written the text of network A that was refused.
+/// The place at the beginning of the message is then left out, since the user has never seen this text.
 std::string first_line_of(const UserError& refused, const std::string& path, bool is_written) {
     const std::string text = unpainted(refused.what());
     const std::string line = text.substr(0, text.find('\n'));
@@ -105,7 +105,7 @@ private:
         OneChange* change;
         std::function<Network()> read;
         ComparedRun run;
-        bool is_written = true; ///< print_cfs() wrote the text that is read
+        bool is_written = true; ///< true: print_cfs() wrote the text of the network
     };
 
     void run_both() {
@@ -139,8 +139,8 @@ private:
                 result_.following.insert(each.section);
     }
 
-    /// Returns network A with the constants (`val`) of B. If A is refused with these constants, returns A with its own
-    /// constants.
+    /// Returns network A with the constants (`val`) of network B. If the netlist of A is refused with these constants,
+    /// returns A with its own constants.
     Network read_with_vals() const {
         try {
             return load_silently(a_.parsed, with(vals_));
@@ -154,8 +154,8 @@ private:
         return vals;
     }
 
-    /// Returns the network with the settings `set`. The other settings stay as they are, because print_cfs() writes
-    /// them into the text that is read again.
+    /// Returns the network with the settings `set`. All other settings are unchanged, because print_cfs() writes them
+    /// into the text from which this function reads the network.
     static Network with_settings(const Network& network, const Overrides& set) {
         return load_silently(ParsedNetlist::of_text(print_cfs(network), network.source_path), set);
     }
@@ -171,7 +171,7 @@ private:
         return with_settings(swapped, of_a);
     }
 
-    /// Returns the difference without the elements that A lacks, because the constants of B may declare more elements.
+    /// Returns the difference without the elements that A lacks. B's constants may declare more elements than A has.
     SettingDifference within_a(const SettingDifference& difference) const {
         const std::set<std::string> known = names_of_elements(result_.a);
         SettingDifference own{difference.name, difference.a, difference.b, {}, {}};

@@ -22,7 +22,7 @@ std::string print_ending(const char* letter, const std::string& name, const RunR
                        to_string(report.result.time), network.hash);
 }
 
-/// Returns "; 2 only in A: x, y"; "" if there are none.
+/// Returns the elements that only one network has, as in "; 2 only in A: x, y". Returns "" for an empty list.
 std::string print_only(const std::vector<std::string>& only, const char* where) {
     constexpr std::size_t most = 4;
     if (only.empty())
@@ -76,7 +76,7 @@ Time sum_of(const std::vector<OneChange>& changes, Time of_a) {
     return sum;
 }
 
-/// Prints how much of the difference in time appears only if differences are combined.
+/// Prints how much of the difference in time appears only in runs that combine several changes.
 std::string print_verdict(const NetlistComparison& compared, Time sum) {
     const Time rest = compared.difference() - sum;
     if (compared.alone.empty())

@@ -38,7 +38,7 @@ std::string_view without_last_blanks(std::string_view text) {
     return text.substr(0, text.find_last_not_of(" \t\r") + 1);
 }
 
-/// Returns the lines without blanks at their ends, and without empty lines at the end.
+/// Returns the lines without blanks at their ends. Leaves out empty lines at the end of the text.
 std::vector<std::string_view> printed_lines(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {

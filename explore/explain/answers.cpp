@@ -11,14 +11,14 @@ namespace placedpar {
 
 namespace {
 
-/// Adds the settings of the user to the changes, except settings that a change replaces.
+/// Returns the changes together with the user's settings. If both set the same value, the change prevails.
 Overrides with_set(const Overrides& set, Overrides changes) {
     changes.merge(Overrides(set));
     return changes;
 }
 
-/// Returns a function that reads the netlist with some changes. The function shows no warnings, since the warnings of
-/// the netlist have been shown before.
+/// Returns a function that reads the netlist with some changes. The function shows no warnings, since the user has seen
+/// the warnings of the netlist before.
 ChangedNetlist reading_with(const ChangedRuns& runs) {
     return [parsed = runs.parsed, set = runs.set, host = runs.host](const Overrides& changes) {
         Network network =
@@ -36,7 +36,8 @@ DeclaredWith declaring_with(const ChangedRuns& runs) {
     };
 }
 
-/// Returns why a run with this outcome cannot be compared with changed runs; "" if it can.
+/// Returns the reason why a run with this outcome cannot be compared with changed runs. Returns "" if the run can be
+/// compared.
 std::string why_not_compared(RunOutcome outcome) {
     return outcome == RunOutcome::completed
                ? ""

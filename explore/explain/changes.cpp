@@ -49,7 +49,7 @@ std::string faster(std::int64_t rate, const Factor& factor) {
     return std::to_string(factor.by == 0 ? fastest : std::min(wanted, fastest));
 }
 
-/// Returns the reduced constant: 0.9 times the constant if the factor is 1.1, half of the constant if it is 2,
+/// Returns a smaller constant: 0.9 times the constant for the factor 1.1, half of the constant for the factor 2,
 /// otherwise 0.
 std::string less(std::int64_t constant, const Factor& factor) {
     double share = factor.by == 0 ? 0 : factor.by == 2 ? 0.5 : 0.9;
@@ -115,8 +115,8 @@ private:
         }
     }
 
-    /// Returns whether the change has this factor. In a large network, whose runs take long, only the middle factor is
-    /// tried, without the smallest and the greatest.
+    /// Returns whether the change has the smallest or the greatest factor. Runs of a large network take long, so only
+    /// the middle factor is tried in a large network.
     static bool is_extreme(const Change& change, const Factor& factor) {
         return change.change == factor.faster || change.change == factor.less;
     }
@@ -198,7 +198,7 @@ private:
         }
     }
 
-    /// Adds the changes of a link once, even if both of its directions are among the busiest.
+    /// Adds the changes of a link, unless they have been added. Both directions of the link may be among the busiest.
     void add_link(const LinkConnection& wire) {
         if (!links_known_.insert(&wire).second)
             return;
@@ -307,8 +307,9 @@ private:
                 add_constant(name, by_owner, factor);
     }
 
-    /// Adds the change of a constant: by its name alone if it is equal everywhere, otherwise for each node or process.
-    /// A reduction that rounds to no change is left out, such as a tenth less than 4 cycles.
+    /// Adds the change of a constant. If the constant is equal everywhere, one setting changes all values; otherwise
+    /// each node or process gets its own setting. Leaves out a reduction that rounding cancels, such as a tenth less
+    /// than 4 cycles.
     void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
         const std::int64_t one = costs.begin()->second;
         const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });

@@ -198,8 +198,8 @@ private:
         GraphAttributes node, edge;
     };
 
-    /// Reads statements up to their "}", and returns all nodes in them. `defaults` is a copy, because defaults that a
-    /// subgraph sets end with the subgraph.
+    /// Reads statements up to their "}", and returns all nodes in them. `defaults` is a copy, because the defaults that
+    /// a subgraph sets are valid only in the subgraph.
     Nodes read_statements(Defaults defaults) {
         if (++depth_ > deepest_graph)
             words_.refuse_taken(fmt::format("subgraphs are nested deeper than {} levels", deepest_graph));

@@ -72,7 +72,7 @@ std::vector<std::vector<std::size_t>> edges_by_node(const Graph& graph) {
     return edges;
 }
 
-/// Returns `"hub" (to a, b, c, d, e)`.
+/// Returns a node's name with the names of its neighbours, such as `"hub" (to a, b, c, d, e)`.
 std::string node_with_neighbours(const Graph& graph, std::size_t node, const std::vector<std::size_t>& edges) {
     std::vector<std::string> names;
     for (const std::size_t i : edges)
@@ -83,7 +83,7 @@ std::string node_with_neighbours(const Graph& graph, std::size_t node, const std
     return fmt::format("\"{}\" (to {}{})", graph.nodes[node].name, fmt::join(names, ", "), more ? ", ..." : "");
 }
 
-/// Throws RefusedText, which names the nodes, if a node has more than `most` edges.
+/// Throws RefusedText if a node has more than `most` edges. The message names the nodes.
 void require_edges(const Graph& graph, const std::shared_ptr<const SourceFile>& file, std::size_t most,
                    const std::string& hint) {
     const auto edges = edges_by_node(graph);
@@ -119,7 +119,7 @@ std::vector<bool> reached_from_first(const Graph& graph) {
     return reached;
 }
 
-/// Throws RefusedText, which names the nodes, if the graph consists of several parts.
+/// Throws RefusedText if the graph consists of several parts. The message names the nodes.
 void require_connected(const Graph& graph, const std::shared_ptr<const SourceFile>& file) {
     const std::vector<bool> reached = reached_from_first(graph);
     std::vector<std::string> apart;
@@ -139,8 +139,8 @@ void require_connected(const Graph& graph, const std::shared_ptr<const SourceFil
                      "add an edge: the processors of a machine must be connected");
 }
 
-/// Builds each node of more than four edges from two processors, which a wire joins. The first processor has three
-/// edges of the node, the second processor the others.
+/// Replaces each node of more than four edges by two processors and a wire between them. The first processor has three
+/// edges of the node, the second processor the other edges.
 void split_nodes(Graph& graph) {
     constexpr std::size_t edges_of_first = links_of_a_node - 1;
     const auto edges = edges_by_node(graph);
@@ -159,8 +159,8 @@ void split_nodes(Graph& graph) {
     }
 }
 
-/// Returns the number that the text states in the netlist language, where it may end in K or M; nothing if the text is
-/// not a number.
+/// Returns the number that the text states in the netlist language, where it may end in K or M. Returns nothing if the
+/// text is not a number.
 std::optional<double> number_in(const std::string& text, bool decimal_suffixes) {
     const double kilo = decimal_suffixes ? 1000 : 1024;
     const double factor = text.ends_with('K') ? kilo : text.ends_with('M') ? kilo * kilo : 1;
@@ -168,7 +168,7 @@ std::optional<double> number_in(const std::string& text, bool decimal_suffixes) 
     return number && std::isfinite(*number) ? std::optional(*number * factor) : std::nullopt;
 }
 
-/// Returns why the text is not a value of the attribute; "" if it is one.
+/// Returns the reason why the text is not a value of the attribute. Returns "" if the text is a value of the attribute.
 std::string fault_of(const std::string& text, const AttributeDescription& attribute) {
     const auto number = number_in(text, attribute.decimal_suffixes);
     if (!number)
@@ -278,7 +278,7 @@ private:
         return attribute.value.name + " = " + value_text(value, attribute);
     }
 
-    /// Returns ": label" if the label says more than the node's name; Graphviz writes "\\N" for the name.
+    /// Returns ": label" if the label says more than the node's name. Graphviz writes "\\N" for the name.
     static std::string label_of(const GraphNode& node) {
         const auto label = node.attributes.find("label");
         const bool says_more = label != node.attributes.end() && label->second != node.name && label->second != "\\N";

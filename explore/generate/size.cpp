@@ -14,7 +14,7 @@ namespace placedpar::generate {
 
 namespace {
 
-/// Returns the numbers of a size such as "2x3x4"; 0 for each part that is not a whole number.
+/// Returns the numbers of a size such as "2x3x4". Returns 0 for each part that is not a whole number.
 std::vector<std::size_t> numbers_of(const TopologyRequest& request) {
     std::vector<std::size_t> numbers;
     for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {

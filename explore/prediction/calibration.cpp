@@ -164,7 +164,7 @@ private:
         return std::max((rehearsal(many) - rehearsal(few)) / static_cast<double>(many - few), 0.0);
     }
 
-    /// Returns the number of generations of a search that takes about 20 ms; 0 for a problem with a record.
+    /// Returns the number of generations of a search that takes about 20 ms. Returns 0 for a problem with a record.
     std::size_t generations_for(const std::string& problem) const {
         if (!kinds_.problems.find(problem).problem()->objective())
             return 0;

@@ -71,8 +71,8 @@ public:
             refuse("the file does not describe a computer");
     }
 
-    /// Returns the calibrated value of a process's parameter, as an expression of the netlist; nothing if the parameter
-    /// keeps its value.
+    /// Returns the calibrated value of a process's parameter, as an expression of the netlist. Returns nothing if the
+    /// parameter keeps its value.
     std::optional<std::string> value_of(const std::string& parameter, const ProcessInstance& process) const {
         if (parameter == "cycles_per_error")
             return of_problem("error", process);

@@ -30,8 +30,8 @@ double waking_ns(const Calibration& c) {
     return both > nanoseconds(native::most_patience) ? both / 2 : both;
 }
 
-/// Returns the number of bytes for which copying an individual takes as long in the model as in the measurement. The
-/// model copies each byte four times, at 1.5 cycles: into and out of the task, into and out of the result.
+/// Returns the size of an individual in the model, in bytes, with which copying takes as long as in the measurement.
+/// The model copies each byte four times, at 1.5 cycles: into and out of the task, into and out of the result.
 std::int64_t string_bytes(const Calibration& c) {
     constexpr double copies = 4 * 1.5;
     return std::clamp<std::int64_t>(std::llround(static_cast<double>(cycles(c.string.median)) / copies), 1, 65536);

@@ -47,7 +47,7 @@ std::string unknown_measure(const std::string& measure, const std::set<std::stri
                         fmt::format("the runs have the measures {}", fmt::join(names, ", ")));
 }
 
-/// Returns how many of the measurements the kind describes.
+/// Returns the number of these measurements that the kind describes.
 std::ptrdiff_t count_described(const ProcessKind& kind, const std::set<std::string>& measured) {
     return std::ranges::count_if(kind.measurements, [&](const auto& each) { return measured.contains(each.name); });
 }

@@ -52,8 +52,8 @@ std::vector<double> figures_of_runs(const StudyLine& line, std::size_t measure) 
     return figures;
 }
 
-/// Returns the test; nothing if fewer than two combinations have several figures, or if in each combination all figures
-/// are equal, because seeds then make no difference.
+/// Returns the test. Returns nothing if fewer than two combinations have several figures, or if in each combination all
+/// figures are equal, because seeds then make no difference.
 std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) {
     const bool varies = std::ranges::any_of(
         groups, [](const auto& group) { return std::ranges::min(group) != std::ranges::max(group); });
@@ -62,8 +62,8 @@ std::optional<RankTest> test_of(const std::vector<std::vector<double>>& groups) 
     return groups.size() == 2 ? mann_whitney(groups[0], groups[1]) : kruskal_wallis(groups);
 }
 
-/// Returns the table row with the test of a measure; nothing if there is no test. The test compares the combinations
-/// that have several figures of the measure.
+/// Returns the table row with the test of a measure. Returns nothing if there is no test. The test compares the
+/// combinations that have several figures of the measure.
 std::optional<Row> tested(const StudySummary& summary, std::size_t axis, const Compared& compared,
                           std::size_t measure) {
     std::vector<std::vector<double>> groups;

@@ -230,7 +230,7 @@ StudyResults::~StudyResults() {
         update_.reset();
         if (lock_ && database_)
             database_->run("PRAGMA journal_mode = DELETE");
-    } catch (const store::DatabaseError&) { // the companion files then remain; the file is complete
+    } catch (const store::DatabaseError&) { // the companion files then remain, but the file itself is complete
     }
 }
 

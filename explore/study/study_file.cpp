@@ -24,7 +24,7 @@ class StudyReader : StudyNodes {
 public:
     explicit StudyReader(const std::string& path)
         : StudyNodes(path), folder_(std::filesystem::path(path).parent_path()) {}
-    /// Makes a reader without a file, which knows only the keys.
+    /// Makes a reader that has no file and knows only the keys.
     StudyReader() : StudyNodes(std::make_shared<const SourceFile>("", ""), "study") {}
 
     std::vector<StudyKey> keys(StudyPart part) {
@@ -212,7 +212,7 @@ private:
             read_columns(*read.columns, read.table);
         if (!read.columns || !read.rows)
             return report(source.source().begin, "the table lacks columns or rows", form_of_variants);
-        if (read.table.columns.empty()) // the error was reported; without columns the rows cannot be checked
+        if (read.table.columns.empty()) // the reader has reported the error, and cannot check rows without columns
             return;
         read_rows(read);
         add_runs_of(read.table);

@@ -55,8 +55,8 @@ public:
         : seeds_(study.seeds), runs_(study), netlist_(study.netlist, study.read) {}
     NetworkReader(const NetworkReader&) = delete; // not copied: the kinds refer to the problems
 
-    /// Returns the network; nothing if the condition does not hold for the combination. If the network is refused, adds
-    /// the refusal to `refusals` and returns nothing.
+    /// Returns the network. Returns nothing if the condition does not hold for the combination. If the network is
+    /// refused, adds the refusal to `refusals` and returns nothing.
     std::optional<Network> at(std::uint64_t combination, Refusals& refusals) const {
         std::optional<StudyRun> run = runs_.at(combination * seeds_);
         try {

@@ -17,8 +17,8 @@ namespace placedpar {
 namespace {
 
 /// Chooses, for each immigrant, the individual that it replaces. `candidates`: individuals that may be replaced, each
-/// at most once. choose(immigrant, candidates) is called with the remaining candidates, and returns the position of the
-/// chosen candidate in this list.
+/// at most once. choose(immigrant, left) receives the candidates that are left, and returns the position of the chosen
+/// candidate among them.
 template <class Choose>
 Places give_places(const IslandPopulation& island, std::span<const Individual> immigrants,
                    std::vector<std::size_t> candidates, bool only_if_better, Choose choose) {

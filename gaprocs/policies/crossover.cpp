@@ -12,8 +12,8 @@ namespace placedpar {
 
 namespace {
 
-/// Looks for the next individual of `unmated` that differs from the first in at least two bits. If there is one, swaps
-/// it with the second individual and returns true; otherwise returns false.
+/// Looks for the next individual of `unmated` that differs from the first individual in at least two bits. Swaps the
+/// individual found with the second individual and returns true. Returns false if no individual differs enough.
 bool mate_by_difference(std::span<Genome> unmated) {
     auto differs = [&](const Genome& other) { return difference(unmated.front(), other) >= 2; };
     auto mate = std::find_if(unmated.begin() + 1, unmated.end(), differs);
@@ -40,9 +40,9 @@ Genome whole_words_at_random(std::size_t bits, RandomStream& random) {
     return mask;
 }
 
-/// Returns an offspring. Its positions form a ring: position 0 follows the last position. At the positions from `first`
-/// to `end` - 1 the offspring has the entries of `kept`. The missing entries follow from position `end` on, in the
-/// order that they have in `other` from `end` on.
+/// Makes an offspring by order crossover. The positions form a ring: position 0 follows the last position. At the
+/// positions from `first` to `end` - 1 the offspring has the entries of `kept`. The missing entries follow from
+/// position `end` on, in the order that they have in `other` from `end` on.
 std::vector<std::size_t> ordered_offspring(const std::vector<std::size_t>& kept, const std::vector<std::size_t>& other,
                                            std::size_t first, std::size_t end) {
     std::size_t places = kept.size();

@@ -21,15 +21,15 @@ double width_of(const RealVector& reals, std::size_t number) {
     return reals.range(number).high - reals.range(number).low;
 }
 
-/// Returns a random place other than `place`; all others are equally likely.
+/// Returns a random place other than `place`. All other places are equally likely.
 std::size_t another_place(std::size_t place, std::size_t places, RandomStream& random) {
     return (place + 1 + random.below(static_cast<std::uint32_t>(places - 1))) % places;
 }
 
 using Drawn = std::array<std::uint32_t, 1024>;
 
-/// Calls take(i) for each i < count with drawn[i] < limit. Such numbers are usually rare. So the results of eight
-/// comparisons are tested at once, and skipped together if none is true.
+/// Calls take(i) for each i < count with drawn[i] < limit. Such numbers are rare, so the loop tests eight comparisons
+/// at once, and skips all eight numbers if none is below the limit.
 template <class Take>
 void for_each_below(std::uint64_t limit, const Drawn& drawn, std::size_t count, const Take& take) {
     if (limit == 0)
@@ -77,8 +77,8 @@ void DistanceMutation::operator()(std::span<Genome> population, RandomStream& ra
     const double per_logarithm = 1 / std::log1p(-probability); // -0 for probability 1, -infinity for probability 0
     auto left = static_cast<double>(population.size() * length);
     for (std::size_t next = 0;; ++next) {
-        // `distance` is the number of unchanged bits before the next flipped bit. It is at least n with probability (1
-        // - probability)^n.
+        // `distance` is the number of unchanged bits before the next flipped bit. The distance is at least n with
+        // probability (1 - probability)^n.
         double distance = std::floor(std::log(1 - random.uniform()) * per_logarithm);
         left -= distance + 1;
         if (!(left >= 0)) // also true if `left` is NaN, from 0 times infinity

@@ -19,7 +19,7 @@ namespace placedpar {
 
 namespace {
 
-/// Each row has the members of a Form, in their order.
+/// Each row lists the members of a Form in their order of declaration.
 const std::vector<Form> forms{
     {"representation", "permutation",
      "a permutation: it contains each element of the problem, such as a city, once; only for problems that ask for an "

@@ -11,7 +11,8 @@ namespace placedpar {
 
 namespace {
 
-/// Chooses the parents by one spin of the wheel with `count` balls, then shuffles them (Fisher and Yates).
+/// Chooses `count` parents by one spin of the roulette wheel with `count` equally spaced balls. Then shuffles the
+/// parents (Fisher and Yates).
 Parents sample_universally(const RouletteWheel& wheel, std::size_t count, RandomStream& random) {
     std::vector<std::size_t> parents = wheel.sectors(count, random.uniform());
     for (std::size_t left = parents.size(); left > 1; --left)
@@ -19,8 +20,8 @@ Parents sample_universally(const RouletteWheel& wheel, std::size_t count, Random
     return parents;
 }
 
-/// Returns the average number of copies of each individual: a linear function of the fitness, which is 1 at the mean
-/// fitness.
+/// Returns the average number of copies of each individual. This number is a linear function of the fitness, with the
+/// value 1 at the mean fitness.
 std::vector<double> scaled_copies(std::span<const double> fitness, double best) {
     auto [least, greatest] = std::minmax_element(fitness.begin(), fitness.end());
     std::vector<double> copies(fitness.size(), 1);

@@ -26,8 +26,9 @@ std::vector<std::size_t> RouletteWheel::sectors(std::vector<double> balls) const
     // the last sector, is below that end, even when rounded.
     for (double& ball : balls)
         ball *= ends_.back();
-    // This is std::upper_bound for all balls side by side, because the halvings for a single ball would wait for each
-    // other. The loop has no branch, because a processor would mispredict the branch half of the time.
+    // This is std::upper_bound for all balls at once. The halving steps for a single ball depend on each other, so the
+    // processor would wait for each step. The loop has no branch, because a processor would mispredict the branch half
+    // of the time.
     std::vector<std::size_t> found(balls.size());
     for (std::size_t length = ends_.size(); length > 1;) {
         const std::size_t half = length / 2;

@@ -16,7 +16,7 @@ std::uint64_t exchanges_of_a_round(const Neighbours& neighbours) {
     return round;
 }
 
-/// Returns for each island the number of islands that send to it after the given generation.
+/// Returns, for each island, how many islands send emigrants to the island after the given generation.
 std::vector<std::size_t> senders(const Schedule& schedule, const Neighbours& neighbours, std::uint64_t generation) {
     std::vector<std::size_t> count(neighbours.size());
     for (const auto& list : neighbours)

@@ -15,7 +15,7 @@ namespace placedpar {
 
 namespace {
 
-/// The list of an island's neighbours, while it is built.
+/// The list of an island's neighbours during its construction.
 class NeighbourList {
 public:
     explicit NeighbourList(std::size_t island) : island_(island) {}
@@ -53,7 +53,7 @@ void require_given_neighbour(const Neighbours& neighbours, std::size_t island, s
         throw UserError(fmt::format("island {} has island {} as neighbour twice, expected once", island, other));
 }
 
-/// Returns for each island all islands that have it as a neighbour.
+/// Returns, for each island, all islands that have the island as a neighbour.
 Neighbours reversed(const Neighbours& neighbours) {
     Neighbours back(neighbours.size());
     for (std::size_t i = 0; i < neighbours.size(); ++i)

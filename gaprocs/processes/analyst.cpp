@@ -80,7 +80,8 @@ private:
         return reports;
     }
 
-    /// Receives samples from the host until it has `count` of them, the number that an island states in its report.
+    /// Receives samples from the host until the analyst has received `count` samples. An island's report states this
+    /// number.
     void take_samples(std::size_t count) {
         for (; taken_ < count; ++taken_)
             samples_.push(from_host_.input().sample);

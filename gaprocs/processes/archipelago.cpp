@@ -92,9 +92,9 @@ void Archipelago::add_parts(const Network& network) {
         }
 }
 
-/// The archipelagos are cached by the address and the hash of the network. An entry is removed when no island uses the
-/// archipelago any more. As long as an island uses the archipelago, the network exists, so no other network can have
-/// its address.
+/// A cache holds the archipelagos; the key is the address and the hash of the network. An entry is removed when no
+/// island uses the archipelago any more. While an island uses the archipelago, the network exists, and no other network
+/// can have its address.
 std::shared_ptr<const Archipelago> archipelago_of(const Network& network) {
     static std::mutex one_at_a_time;
     static std::map<std::pair<const Network*, std::uint64_t>, std::weak_ptr<const Archipelago>> all;

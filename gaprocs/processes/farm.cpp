@@ -83,8 +83,8 @@ Fitnesses Farm::receive() {
     return next;
 }
 
-/// Receives the results of all slaves. With Settings::results_in_order, the nearest slave's result is the last on each
-/// channel.
+/// Receives the results of all slaves. With Settings::results_in_order, the result of the nearest slave is the last
+/// result on each channel.
 void Farm::take_from_all(std::vector<double>& fitness) {
     if (!settings_.results_in_order || from_slaves_.size() == 1) {
         for (std::size_t slave = 0; slave < settings_.slaves; ++slave)
@@ -99,7 +99,8 @@ void Farm::take_from_all(std::vector<double>& fitness) {
         }
 }
 
-/// Makes a task, and spends the simulated time for copying the strings and converting the measurements word by word.
+/// Makes a task. Spends the simulated time of the copy of the strings, and of the conversion of each word of the
+/// measurements.
 Task Farm::make_task(Task::Kind kind, std::size_t slave, const Share& share, std::span<const Genome> population,
                      bool measurements) {
     Task task;

@@ -34,7 +34,8 @@ std::size_t samples_to_send(const ProcessEnvironment& environment, std::size_t r
     return wanted == 0 ? recorded : wanted;
 }
 
-/// Returns the samples to send; for an objective, one empty sample for each generation.
+/// Returns the samples that the host sends. If the problem has an objective, returns one empty sample for each
+/// generation.
 std::vector<Sample> samples_of(const ProcessEnvironment& environment, const RecordedProblem& recorded) {
     if (recorded.problem()->objective())
         return empty_record(static_cast<std::size_t>(environment.integer("generations")));
@@ -42,7 +43,7 @@ std::vector<Sample> samples_of(const ProcessEnvironment& environment, const Reco
     return {first, first + static_cast<std::ptrdiff_t>(samples_to_send(environment, recorded.samples()))};
 }
 
-/// Collects the times that samples take for one stage of their way from the sensors to the masters.
+/// Collects the times of one stage on the way of the samples from the sensors to the masters.
 class Stage {
 public:
     void note(Time time) {
@@ -139,7 +140,7 @@ private:
         answered.output(no_more);
     }
 
-    /// Sends the fittest estimate to the alarm whenever all searches have answered a sample.
+    /// Sends the fittest estimate to the alarm each time that all searches have answered a sample.
     void tell_alarm() {
         auto alarm = environment_.output<Finding>("to_alarm");
         std::vector<std::size_t> answered(answered_.size(), 0);

@@ -63,7 +63,7 @@ ProcessKind with_exchange(ProcessKind searching, const ProblemRegistry& problems
                                                                              std::size_t process) {
         auto first = std::ranges::find(network.processes, "ga.island", &ProcessInstance::kind);
         if (first - network.processes.begin() != static_cast<std::ptrdiff_t>(process))
-            return std::vector<Complaint>(); // the first island checks all islands together
+            return std::vector<Complaint>(); // the first island checks all islands
         return check_islands(network, problems, [&](std::size_t island) { return check_search(network, island); });
     };
     searching.is_determinate = [](const Network& network,

@@ -26,7 +26,7 @@ namespace placedpar {
 
 namespace {
 
-/// The result of most_senders_at_once() by schedule, computed once for each. The key is the text of the schedule.
+/// The results of most_senders_at_once(), each computed only once. The key is the text of the schedule.
 using SendersBySchedule = std::map<std::string, std::vector<std::size_t>>;
 
 class IslandCheck {

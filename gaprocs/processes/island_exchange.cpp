@@ -12,7 +12,7 @@ namespace placedpar {
 
 namespace {
 
-/// Returns whether the fitness of a string is the same on both islands.
+/// Returns whether a string has the same fitness on both islands.
 bool same_window(const ProcessInstance& a, const ProcessInstance& b) {
     return a.parameters.at("window") == b.parameters.at("window") && a.parameters.at("bias") == b.parameters.at("bias");
 }
@@ -66,7 +66,7 @@ std::vector<Migration> IslandExchange::exchange(Search& search, std::span<const 
     return arrivals;
 }
 
-/// Returns the emigrants. If the exchange has no destinations, chooses none, and so draws no random numbers.
+/// Returns the emigrants. If the exchange has no destinations, returns no emigrants and draws no random numbers.
 Emigrants IslandExchange::leaving(Search& search, std::span<const double> fitness) const {
     Emigrants emigrants;
     emigrants.generation = search.generation() + 1;
@@ -106,7 +106,7 @@ std::vector<Migration> IslandExchange::take_arrivals() {
 }
 
 /// Evaluates the immigrants that come from islands with another window. If the schedule is asynchronous, evaluates all
-/// immigrants, because their fitness may be computed from older samples. All others keep their fitness, which was
+/// immigrants, because older samples may underlie their fitness. All other immigrants keep their fitness, which was
 /// computed from the same samples.
 void IslandExchange::evaluate_arrivals(std::span<Migration> arrivals, std::span<const Sample> window) const {
     if (problem_.objective())

@@ -101,7 +101,8 @@ private:
     bool has_objective() const { return recorded_ && recorded_->problem()->objective(); }
     bool given(const std::string& parameter) const { return network_.processes[process_].given.contains(parameter); }
 
-    /// Returns whether an earlier process names the same problem, and so has reported that it does not exist.
+    /// Returns whether an earlier process names the same problem. The check of that process has then reported that the
+    /// problem does not exist.
     bool refused_before() const {
         auto first = network_.processes.begin(), self = first + static_cast<std::ptrdiff_t>(process_);
         return std::any_of(first, self, [&](const ProcessInstance& other) {
@@ -281,8 +282,8 @@ private:
                 fmt::format("set \"samples\" of \"{}\" to {} or more", name(host), first));
     }
 
-    /// A program in transputer code receives the bytes of a sample, so each message must contain all values of the
-    /// sample.
+    /// Checks that each message contains all values of its sample, because a program in transputer code receives the
+    /// bytes of a sample.
     void check_samples_for_code() {
         for (const PortBinding& each : ends_of(network_, process_, "to_masters")) {
             const std::size_t node = end_beyond(network_, each).node;

@@ -37,7 +37,7 @@ void set_policy(Step& usual, const std::string& text) {
         usual = Step::named(text);
 }
 
-/// Returns the first individuals of the first population; the search draws the others at random.
+/// Returns the individuals with which the first population begins. The search draws the other individuals at random.
 std::vector<Genome> read_initial_population(const ProcessEnvironment& environment, const SearchProblem& problem) {
     const std::string& initial = environment.text("initial");
     std::string name = initial.substr(0, initial.find('('));

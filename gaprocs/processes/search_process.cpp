@@ -114,7 +114,7 @@ private:
         operators_.start();
         compute(static_cast<std::int64_t>(fitness.size()) * workload_.genetic_operators);
         accept_and_breed(search_, fitness, migrations_, exchange_ ? exchange_->acceptance() : Acceptance());
-        // The parameters are decoded now, because the bias point of a fine search moves.
+        // Decodes the parameters now, because the bias point of a fine search moves later.
         if (progress_.note_best(search_))
             values_of_best_ = problem_.decode(search_.best().genome);
         operators_.stop();
@@ -149,9 +149,8 @@ private:
                                 each.individual.fitness, each.place.has_value()});
     }
 
-    /// Measures C_time2, the communication time of a generation, then ends the slaves. (The thesis's slaves never
-    /// ended.) First waits until all other work of the machine is done, so that the measurement does not change the
-    /// times of this work.
+    /// Measures C_time2, the communication time of a generation, and then ends the slaves. The measurement begins after
+    /// all other work of the machine, so it does not change the times of this work.
     void leave_slaves() {
         wait_until_work_is_over();
         if (timing_ && rehearsals_ > 0)

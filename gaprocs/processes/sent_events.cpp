@@ -35,7 +35,7 @@ std::vector<RealRange> ranges_of(const RealVector& reals) {
     return ranges;
 }
 
-/// Returns the data from which a representation can be made: the ranges of real vectors, otherwise the size.
+/// Returns the data that determine a representation: the ranges of the numbers for real vectors, otherwise the size.
 std::pair<std::uint64_t, std::vector<RealRange>> parts_of(const Representation& representation) {
     switch (representation.kind()) {
     case StringKind::binary: return {representation.bits(), {}};

@@ -78,7 +78,7 @@ private:
         return !ended;
     }
 
-    /// Queues the tasks that this slave evaluates, first in, first out.
+    /// Keeps the tasks that this slave evaluates in a queue: first in, first out.
     void keep_tasks() {
         std::deque<Task> kept;
         bool ended = false;

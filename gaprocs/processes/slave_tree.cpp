@@ -139,7 +139,7 @@ std::vector<std::size_t> circle_of(const Network& network, std::size_t slave) {
         if (before->process == slave)
             return way;
         if (std::ranges::count(way, before->process) > 0)
-            return {}; // the slave is behind a circle, not in it
+            return {}; // the slave is behind a circle of slaves, not in the circle
         way.push_back(before->process);
     }
 }

@@ -9,8 +9,8 @@ namespace placedpar {
 
 namespace {
 
-/// Adds all schemata that begin with the first `first` characters of `begun`, and that have exactly `order` other
-/// positions with a 0 or a 1.
+/// Adds all schemata that begin with the first `first` characters of `begun` and have exactly `order` fixed positions
+/// (0 or 1) after these characters.
 void add_schemata(std::string& begun, std::size_t first, std::size_t order, std::vector<Schema>& all) {
     if (begun.size() - first < order)
         return;

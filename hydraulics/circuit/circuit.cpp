@@ -24,8 +24,8 @@ constexpr ValvePosition bucket_then_boom{Link::bucket, true, Link::boom}, boom_l
 /// With the cross-over valves open, flow past the stick (or the boom) continues to the last link of the other branch.
 constexpr ValvePosition stick_then_boom{Link::stick, false, Link::boom},
     boom_then_stick{Link::boom, false, Link::stick};
-/// In these positions a check valve shuts off the rest of the branch, because the pressure behind the valve is higher.
-/// The first link then receives the whole flow of its pump.
+/// In these positions a check valve shuts off the rest of the branch, because the pressure behind the check valve is
+/// higher. The first link then receives the whole flow of its pump.
 constexpr ValvePosition bucket_alone{Link::bucket, true, {}, true}, swing_alone{Link::swing, true, {}, true};
 
 using ValvePositions = std::array<ValvePosition, 4>; // upstream before downstream

@@ -9,15 +9,15 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// These values are this project's choice, tuned on fifty random jobs of a simulated machine.
+// This project chose these values by trials on fifty random jobs of a simulated machine.
 constexpr double longest_step_s = 0.0004;
 constexpr double laminar_psi = 20; ///< smaller values would make the step unstable
-/// Another position of the valves is believed only if it lowers the misfit by this, in (in^3/s)^2.
+/// Another position of the valves is accepted only if it lowers the misfit by this value, in (in^3/s)^2.
 constexpr double least_gain = 4000;
 constexpr double misfit_left = 0.2;     ///< another position must also lower the misfit to at most this share
 constexpr double doubt = 0.2;           ///< weight of the fall of the misfit if no pressure was near a limit
 constexpr double near_share = 0.7;      ///< a pressure above this share of a limit counts as near the limit
-constexpr double largest_square = 1e4;  ///< limits one flow's squared error, so that a wild reading decides nothing
+constexpr double largest_square = 1e4;  ///< limits one flow's squared error, so that no single wrong reading decides
 constexpr double back_in3_per_s = -5;   ///< if less oil flows into a cylinder, its outlet is open
 constexpr double smoothing = 0.3;       ///< weight of a new reading in the smoothed flow of oil
 constexpr double outlet_shuts_s = 0.75; ///< an outlet is assumed to be shut if no oil has left the cylinder for this

@@ -30,7 +30,7 @@ Surplus next_surplus(Surplus now, double boom_over_stick_psi, const CrossOverLim
     return boom_over_stick_psi < -limits.shift_psi ? Surplus::to_stick : now;
 }
 
-/// Returns whether the check valve is shut. `before_psi` is the pressure on the side of the pump.
+/// Returns whether the check valve is shut. `before_psi`: the pressure on the pump's side of the valve.
 bool shut(bool now, double before_psi, double behind_psi, const CrossOverLimits& limits) {
     return behind_psi - before_psi > (now ? 0 : limits.seat_psi);
 }

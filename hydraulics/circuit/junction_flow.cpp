@@ -39,7 +39,7 @@ private:
             return std::min(inlet.conductance > 0 ? inlet.psi : infinity,
                             bypass.conductance > 0 ? bypass.psi : infinity);
         }
-        /// Returns the conductance of the outlets beyond which the pressure is lowest_psi().
+        /// Returns the conductance of those outlets whose far side has the pressure lowest_psi().
         double lowest_conductance() const {
             double lowest = lowest_psi();
             return (inlet.psi == lowest ? inlet.conductance : 0) + (bypass.psi == lowest ? bypass.conductance : 0);

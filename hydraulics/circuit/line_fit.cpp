@@ -9,7 +9,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-// The matrices have a fixed size: with a dynamic size, the order of a sum could depend on the alignment of memory.
+// The matrices have a fixed size. With a dynamic size, the order of the terms in a sum, and so the rounding, could
+// depend on the alignment of memory.
 using Points = Eigen::Matrix<double, line_fit_points, 1>;
 
 } // namespace

@@ -29,7 +29,7 @@ void require_valid(std::span<const ReplaySample> record, const ReplayCircuit& ci
                                                     record[i].time_s, record[i - 1].time_s));
 }
 
-/// Integrates from the sample `from`, where the pressure is `psi`, and returns the pressure at the sample `to`.
+/// Integrates the pressure from the sample `from`, where it is `psi`, and returns the pressure at the sample `to`.
 double replay_gap(const ReplaySample& from, const ReplaySample& to, const ReplayCircuit& circuit, double psi,
                   double step_s) {
     double gap_s = to.time_s - from.time_s;

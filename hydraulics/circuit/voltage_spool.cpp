@@ -27,7 +27,8 @@ double desired_spool_in(double volts) { return ((cubic * volts + quadratic) * vo
 double servo_volts(double spool_in) {
     if (!(spool_in >= 0 && std::isfinite(spool_in)))
         throw std::invalid_argument(fmt::format("no voltage moves the spool to {} in, expected 0 or more", spool_in));
-    // These bounds enclose the solution: above 0 V the function exceeds its linear part, and at -.9245 V it is below 0.
+    // These bounds enclose the solution: above 0 V the function exceeds its linear part; at -.9245 V the function is
+    // below 0.
     double least = spool_in < rest_in ? -0.9245 : 0, greatest = std::max((spool_in - rest_in) / linear, 0.0);
     auto excess = [=](double volts) { return std::pair(desired_spool_in(volts) - spool_in, slope_in_per_volt(volts)); };
     std::uintmax_t iterations = 100;

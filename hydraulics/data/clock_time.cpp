@@ -27,8 +27,8 @@ bool has_shape(std::string_view text, std::initializer_list<std::string_view> sh
     });
 }
 
-/// Returns the number that `count` digits of a text form, beginning with its digit `first`; 0 if the text has fewer
-/// digits. Other characters are skipped.
+/// Returns the number that `count` digits of a text form, beginning with its digit `first`. Returns 0 if the text has
+/// fewer digits. Other characters are skipped.
 int number_of(std::string_view text, std::size_t first, std::size_t count) {
     std::string digits;
     std::ranges::copy_if(text, std::back_inserter(digits), is_digit);
@@ -66,7 +66,7 @@ std::optional<std::int64_t> fraction_ns(std::string_view text) {
     return number_of(nine, text.empty() ? 1 : 0, 9);
 }
 
-/// Returns by how many nanoseconds the time of a zone such as "+01:00" is ahead of UTC.
+/// Returns the nanoseconds by which a time zone such as "+01:00" is ahead of UTC.
 std::optional<std::int64_t> zone_ns(std::string_view text) {
     const int hours = number_of(text, 0, 2), minutes = number_of(text, 2, 2);
     if (has_shape(text, {"", "Z", "z"}))

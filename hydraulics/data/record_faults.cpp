@@ -36,7 +36,7 @@ Ordinary ordinary(Sensor sensor) {
 
 bool within(double value, const Ordinary& usual) { return value >= usual.least && value <= usual.most; }
 
-/// Returns the units in which the number read from the text would be usual.
+/// Returns the units in which the number in the text would have a usual size.
 std::string likely_units(Quantity quantity, double number, const Ordinary& usual) {
     std::string likely;
     for (const Unit& unit : units_of(quantity))

@@ -163,8 +163,8 @@ ColumnName column_name(std::string_view text) {
     return {in_file, *channel, unit};
 }
 
-/// Finds the header and sets the separator. Returns the text with the lines above the header turned into comments: the
-/// lines that a logger writes there describe the record.
+/// Finds the header and sets the separator. Returns the text with each line above the header turned into a comment,
+/// because a logger describes the record in these lines.
 std::string RecordReader::find_table(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf"))
         text.remove_prefix(3);
@@ -181,8 +181,8 @@ std::string RecordReader::find_table(std::string_view text) {
     return commented.append(text.substr(found.at));
 }
 
-/// Removes the rows of words below the header. The first such row with units gives the units of columns that have none
-/// in the header.
+/// Removes the rows of words below the header. The first row that contains units gives a unit to each column that has
+/// no unit in the header.
 void RecordReader::take_units_row() {
     const auto first_sample = std::ranges::find_if(
         table_.rows, [](const TextRow& row) { return std::ranges::any_of(row.cells, is_number_or_time); });
@@ -267,7 +267,7 @@ void RecordReader::note_unused(const std::vector<TextCell>& unused, std::vector<
         "a column of another name"));
 }
 
-/// Reports the names that the user gave but the file does not have.
+/// Reports the column names that the user gave and that the file does not contain.
 void RecordReader::require_names(std::vector<Diagnostic>& faults) const {
     std::vector<std::string> there;
     for (const TextCell& cell : table_.header.cells)

@@ -36,7 +36,7 @@ std::string print_number(double value, int decimals) {
 }
 
 /// Returns whether the commas in a number may separate thousands, as in "1,567" or "-12,000". In "1,567" the comma may
-/// also be a decimal comma.
+/// instead be a decimal comma.
 bool has_thousands(const std::string& text) {
     static const std::regex thousands("[-+]?[1-9][0-9]{0,2}(,[0-9]{3})+");
     constexpr std::size_t longest = 40; // the library's matcher needs much stack for a long text
@@ -83,8 +83,8 @@ void RecordReader::skip_missing() {
     skipped_ += std::erase_if(table_.rows, lacks);
 }
 
-/// Finds out whether numbers have decimal commas or decimal points. In the first number with a comma or a point, the
-/// last such sign is the decimal sign. The number decides nothing if three digits follow each of its commas: they may
+/// Finds out whether numbers have decimal commas or decimal points. The last such sign in the first number with a comma
+/// or a point is the decimal sign. A number decides nothing if three digits follow each comma, because these commas may
 /// separate thousands.
 void RecordReader::find_decimal_sign(std::vector<Diagnostic>& faults) {
     const TextCell* unclear = nullptr;
@@ -193,7 +193,7 @@ void RecordReader::check(Record& record, std::vector<Diagnostic>& faults) {
     period_s_ = record.period_s;
 }
 
-/// Removes the warnings about the header that were given with an earlier piece of the file.
+/// Removes warnings about the header that an earlier piece of the file has already caused.
 void RecordReader::forget_told(std::vector<Diagnostic>& faults) {
     std::set<std::size_t> now = told_;
     std::erase_if(faults, [&](const Diagnostic& fault) {

@@ -11,9 +11,10 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// At a longer period, five samples would outlast a transient. Shorter periods are untested.
+/// The limits of the sampling period. At a longer period, five samples would take longer than a transient. Shorter
+/// periods are untested.
 constexpr double slowest_s = 0.1, quickest_s = 0.0001;
-/// A period may be beyond these limits by this factor, because of rounding.
+/// Rounding may put a period beyond these limits by this factor.
 constexpr double rounding = 1 + 1e-6;
 
 double mean_of(std::span<const double> values) {

@@ -17,7 +17,7 @@ namespace {
 /// pressure below the relief pressure.
 constexpr double least_share = 0.01, greatest_share = 0.9;
 
-/// Returns the slope of the line fitted to the last five readings; 0 if there are fewer.
+/// Returns the slope of the line fitted to the last five readings. Returns 0 if there are fewer than five readings.
 double last_slope_per_s(const std::vector<double>& readings, double period_s) {
     constexpr std::size_t side = line_fit_points / 2;
     return readings.size() < line_fit_points

@@ -17,8 +17,8 @@ double part(const Dynamics::State& state, std::size_t link, Dynamics::Component 
     return state[link * Dynamics::components + component];
 }
 
-/// Returns the flow from the drain side (3.4). If the pressure is below the tank's, the flow is negative: oil flows
-/// from the tank.
+/// Returns the flow from the drain side (3.4). The flow is negative, that is, oil flows from the tank, if the pressure
+/// is below the tank's pressure.
 double drain_in3_per_s(double outlet_in2, double psi, const FlowConstants& flow) {
     double drop = psi - flow.tank_psi;
     return std::copysign(orifice_flow(flow.conductance(outlet_in2), std::abs(drop)), drop);

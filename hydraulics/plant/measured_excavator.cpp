@@ -21,8 +21,8 @@ StickFriction friction_of(const Parameters& parameters) {
             .bristle_damping_lbf_s_per_in = parameters["stiction.bristle_damping"]};
 }
 
-/// With a spool offset, the sensor and equation A.1 both give positions that are too high. A voltage therefore moves
-/// the spool less far than A.1 states.
+/// With a spool offset, the position from the sensor and the position from equation A.1 are both too high. A voltage
+/// therefore moves the spool less far than A.1 states.
 DriftedVoltageSpool voltage_spool_of(const Parameters& parameters) {
     return {{parameters["fault.servo_bias"], parameters["fault.servo_drift"]}, {-parameters["fault.spool_offset"], 0}};
 }
@@ -50,7 +50,8 @@ MeasuredExcavator measured_excavator(const Parameters& parameters) {
 }
 
 double held_volts(const MeasuredExcavator& excavator, double time_s) {
-    // A sampling instant belongs to the period that it begins, even if rounding puts it slightly early.
+    // A sampling instant belongs to the period that begins at this instant, even if rounding puts the instant slightly
+    // early.
     double sample = std::floor(time_s / excavator.sampling_period_s + 1e-6);
     const Converter& converter = excavator.servo_converter;
     return converter.limited(volts_at(excavator.command, sample * excavator.sampling_period_s), -converter.range / 2);

@@ -58,9 +58,8 @@ void require_valid_command(const MeasuredExcavator& excavator) {
         excavator_needs.refuse("the servo's bits", excavator.servo_converter.bits, "0 to 32");
 }
 
-/// Returns the greatest decay rate of the drain side's pressure, per second. The flow changes most steeply with the
-/// pressure drop if the drop is 0 and the spool is at its greatest travel. The slope of the flow is then k a /
-/// sqrt(laminar).
+/// Returns the greatest decay rate of the drain side's pressure, per second. The rate is greatest at a pressure drop of
+/// 0 and the greatest travel of the spool. The slope of the flow is then k a / sqrt(laminar).
 double drain_rate_per_s(const MeasuredExcavator& excavator) {
     double spool_in = 0;
     for (double time_s : {0.0, excavator.duration_s})
@@ -73,8 +72,8 @@ double drain_rate_per_s(const MeasuredExcavator& excavator) {
 }
 
 /// Throws UnfitScenario if the integration step is too long. The method is stable if the step times each decay rate,
-/// and times the frequency of each oscillation, is at most about 2.8. To be accurate, oscillations need an even shorter
-/// step.
+/// and the step times the frequency of each oscillation, is at most about 2.8. An accurate result for oscillations
+/// needs an even shorter step.
 void require_short_step(const MeasuredExcavator& excavator) {
     const LinkMechanics& boom = excavator.boom;
     auto resolve = [&](std::string_view what, double rate_per_s, double most) {

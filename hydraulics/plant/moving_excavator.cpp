@@ -30,8 +30,8 @@ PerLink<double> junctions_psi(const MachineState& state) {
     return psi;
 }
 
-/// The differential equations of a digging excavator during one step, in which configuration, commands and loads are
-/// constant.
+/// The differential equations of a digging excavator during one step. Configuration, commands and loads are constant
+/// during the step.
 class MovingDynamics {
 public:
     explicit MovingDynamics(const MovingExcavator& machine) : machine_(machine) {}

@@ -10,8 +10,8 @@ namespace placedpar::hydraulics {
 
 namespace {
 
-/// The largest share of a junction's flow that a link may ask for. The rest flows through the bypass, which stays open
-/// and can be controlled.
+/// The largest share of a junction's flow that a link may ask for. The rest flows through the bypass. A bypass that
+/// stays open keeps the flow controllable.
 constexpr double most_of_a_junction = 0.98;
 
 /// Returns the flow into the link that the controller asks for: feedforward of the rate, with P-D feedback.

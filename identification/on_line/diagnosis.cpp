@@ -132,7 +132,7 @@ SampleOutcome Diagnosis::change(const RecognisedConfiguration&) {
     if (parts_->moving)
         return outcome;
     restart_windows();
-    judge(outcome); // the movements that have ended
+    judge(outcome); // judges the movements that have ended
     begin_moving();
     return outcome;
 }
@@ -141,7 +141,7 @@ SampleOutcome Diagnosis::change(const ConfigurationChange& change) {
     SampleOutcome outcome;
     if (!parts_->moving && configuration() == change.configuration && active() == change.active)
         return outcome;
-    restart_windows(); // for the sets of the old configuration
+    restart_windows(); // restarts the windows of the old configuration
     const bool recognised = std::exchange(parts_->moving, std::nullopt).has_value();
     parts_->reported.report(change.configuration, change.active);
     for (Link link : all_links)

@@ -11,7 +11,7 @@ namespace placedpar::identification {
 
 namespace {
 
-/// Appends the value, and drops the oldest values beyond `limit`.
+/// Appends the value. Drops the oldest values, so that at most `limit` values remain.
 void push_bounded(std::vector<double>& values, double value, std::size_t limit) {
     if (values.size() >= limit)
         values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(limit - 1));

@@ -38,7 +38,7 @@ ValveReading newest_reading(const PerLink<LinkTrack>& tracks, const PerLink<Link
 /// Returns the likelihood of the deviation `found`, if the true deviation is `truth`. Both are in standard errors.
 double likelihood(double found, double truth) { return std::exp(-(found - truth) * (found - truth) / 2); }
 
-/// Returns a deviation in which only the compliance differs from a healthy link's.
+/// Returns a deviation in which only the compliance differs from the compliance of a healthy link.
 Deviation of_compliance(double units, double standard_error) {
     Deviation deviation;
     const std::size_t i = index_of(FaultHypothesis::compliance);
@@ -47,7 +47,7 @@ Deviation of_compliance(double units, double standard_error) {
     return deviation;
 }
 
-/// Returns the estimates of a set of links in the form of a search's answer.
+/// Returns the estimates of a set of links as the answer of a search.
 SetAnswer answer_of(LinkSet set, const std::vector<LinkEstimate>& estimates) {
     SetAnswer answer{set, "", 0, 0, {}};
     for (std::size_t i = 0; i < estimates.size(); ++i) {

@@ -33,8 +33,8 @@ ValveReading valve_reading(const Record& record, std::size_t i, const PerLink<Li
     return reading;
 }
 
-/// Returns the relative deviation of the compliance from a healthy link's compliance; 0 if the link is not faulty by
-/// `off_share` and `off_errors`.
+/// Returns the relative deviation of the compliance from a healthy link's compliance. Returns 0 if the link is not
+/// faulty by `off_share` and `off_errors`.
 double off(const LinkIdentified& link, const PerLink<double>& healthy) {
     const double share = link.compliance_in3_per_psi / healthy[index_of(link.link)] - 1;
     const double error = link.standard_error / healthy[index_of(link.link)];

@@ -15,7 +15,7 @@ using namespace hydraulics;
 namespace {
 
 bool excited(const std::vector<LinkSample>& links) {
-    constexpr double least_slope_psi_per_s = 300; // four times the scatter that medium noise causes; our choice
+    constexpr double least_slope_psi_per_s = 300; // this project's choice: four times the scatter from medium noise
     return std::ranges::any_of(
         links, [](const LinkSample& link) { return std::abs(link.inlet_slope_psi_per_s) > least_slope_psi_per_s; });
 }

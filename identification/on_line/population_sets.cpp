@@ -17,7 +17,7 @@ struct NamedSet {
 
 constexpr Link bu = Link::bucket, bo = Link::boom, st = Link::stick, sw = Link::swing;
 
-/// The sets of Figure 3.13, in its order.
+/// The sets of links in Figure 3.13, in the order of the figure.
 constexpr std::array<NamedSet, 15> figure_3_13{{
     {"P1a", {bu}},
     {"P1b", {bo}},

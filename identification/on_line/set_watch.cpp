@@ -11,13 +11,14 @@ using namespace hydraulics;
 
 namespace {
 
-/// If a piston on average pushes out more oil than this while oil should flow in, the angle's reading has the wrong
-/// sign (our choice).
+/// If a piston on average pushes out more oil than this limit while oil should flow in, the angle's reading has the
+/// wrong sign (our choice).
 constexpr double least_inflow_in3_per_s = 1;
 
-/// If more oil than this flows into the cylinder and its hose, the oil moves the piston, and not the load (our choice).
+/// If more oil than this limit flows into the cylinder and its hose, the oil moves the piston, and not the load (our
+/// choice).
 constexpr double driven_in3_per_s = 10;
-/// A boom that swings after its valve has shut swings back within this time.
+/// A boom that swings after its valve has shut swings back within this time, in seconds.
 constexpr double longest_swing_s = 0.5;
 
 /// Returns whether the movement determines the size of this deviation.

@@ -22,11 +22,11 @@ std::vector<double> WindowFitness::operator()(std::span<const Genome> strings) {
     return fitness;
 }
 
-/// Returns the strings that were not seen before, each only once.
+/// Returns the strings that this object has not met before, each only once.
 std::vector<Genome> WindowFitness::fresh_of(std::span<const Genome> strings) {
     std::vector<std::size_t> fresh(strings.size());
     std::size_t found = 0;
-    for (std::size_t i = 0; i < strings.size(); ++i) { // without branches, which would be unpredictable
+    for (std::size_t i = 0; i < strings.size(); ++i) { // without branches, which the processor could not predict
         std::uint8_t& met = met_[number_of(strings[i])];
         fresh[found] = i;
         found += 1u - met;

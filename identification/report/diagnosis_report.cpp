@@ -16,7 +16,7 @@ using namespace identification;
 
 namespace {
 
-/// Blanks in the columns of the times, for all lines of a movement but its first.
+/// Blanks in place of the times. Only the first line of a movement shows the times.
 constexpr std::string_view no_times = "                       ";
 
 std::string print_finding(const LinkFinding& link) {
@@ -45,7 +45,7 @@ double compliance_error(const WholeMovement& whole) {
     return whole.units.compliance_in3_per_psi * whole.deviation.standard_error(FaultHypothesis::compliance);
 }
 
-/// Returns the result of the whole movement, which is printed below the result of the search.
+/// Returns the result for the whole movement. This line stands below the result of the search.
 std::string print_whole(const WholeMovement& whole) {
     return fmt::format("{}{}  leak {} in^3/(s psi){}\n", no_times,
                        print_compliance("  whole", whole.compliance_in3_per_psi, compliance_error(whole)),

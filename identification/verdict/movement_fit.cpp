@@ -255,8 +255,8 @@ Equations before_movement(Eigen::Index unknowns) {
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the samples during the movement. Also stores which part of the information comes only from the noise of the
-/// slopes. If solve() did not remove this part, the compliance would be too small (errors in variables).
+/// Adds the samples during the movement. Also stores the part of the information that comes only from the noise of the
+/// slopes. solve() removes this part; otherwise the compliance would be too small (errors in variables).
 void add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
@@ -289,8 +289,8 @@ void limit_leak(Equations& equations, Eigen::Index leak) {
     equations.pull[leak] -= too_much * by[leak];
 }
 
-/// Adds what the samples at rest say about the leak if the compliance is known. They say nothing about the compliance
-/// itself, because the slopes at rest are mostly noise.
+/// Adds the information of the samples at rest about the leak, given the compliance. The samples at rest say nothing
+/// about the compliance itself, because their slopes are mostly noise.
 void add_rest(Equations& equations, const NoisyRows& rest, Eigen::Index leak) {
     const Weights weights(rest);
     const double known = weights.information()(leak, leak);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr Eigen::Index reach = 2; ///< samples that a 5-point slope uses on either side
 
-/// How the noise at five instants affects one sample. The instants are from two samples before this sample to two after
-/// it.
+/// The effects of the noise at five instants on one sample. The instants are from two samples before this sample to two
+/// samples after this sample.
 using Taps = std::array<double, 2 * reach + 1>;
 
 Sparse noise_through(const Taps& taps, const MatrixXd& by) {

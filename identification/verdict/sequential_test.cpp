@@ -18,7 +18,7 @@ double likelihood_ratio(const WayVector& seen, const WayMatrix& information, con
 }
 
 /// Models the uncertain reference as t * `by`, where t is a random number. Returns the variance of t that follows from
-/// the covariance of the reference; 0 if the reference is exact.
+/// the covariance of the reference. Returns 0 if the reference is exact.
 double unknown_of(const WayMatrix& covariance, const WayVector& by) {
     return covariance.isZero(0) ? 0 : 1 / by.dot(covariance.inverse() * by);
 }

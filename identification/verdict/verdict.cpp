@@ -36,8 +36,8 @@ Deviation kind_in_health() {
     return {{}, two_ways_of(covariance)};
 }
 
-/// Returns the information, the inverse of the covariance, of a mean over movements. The information has a limit, even
-/// for very many movements.
+/// Returns the information, the inverse of the covariance, of a mean over movements. The information does not exceed a
+/// limit, however many movements there are.
 WayMatrix information_of_mean(const Deviation& mean) {
     WayMatrix covariance = matrix_of(mean.covariance);
     covariance.diagonal().array() += mean_repeats_within * mean_repeats_within;
@@ -170,7 +170,7 @@ void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
     if (state_.impossible)
         return;
     if (valve != state_.valve)
-        state_ = {}; // with another source of the areas, a healthy link has another offset
+        state_ = {}; // a healthy link has another offset with another source of the areas
     state_.valve = valve;
     SequentialTest from_kind(state_.from_kind);
     from_kind.take(movement, kind_in_health(),

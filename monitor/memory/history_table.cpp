@@ -22,7 +22,7 @@ void HistoryText::throw_damaged(std::uint64_t number, const std::string& machine
         fmt::format("row {} of the machine \"{}\" in the table of {} is damaged", number, machine, name));
 }
 
-// SQLite does not store a negative zero; adding 0.0 makes it positive.
+// SQLite does not store a negative zero. The addition of 0.0 makes a negative zero positive.
 std::string HistoryText::exact(const std::optional<double>& number) {
     return number ? fmt::format("{}", *number + 0.0) : "none";
 }

@@ -38,7 +38,8 @@ std::vector<KeptEstimate> SettledEstimates::ended(const Diagnosis& diagnosis, do
     return ended;
 }
 
-/// A transient has ended if the estimate was settled and no longer is, or if a round of a search gave a new value.
+/// Returns whether a transient has ended: the estimate was settled and is not settled any more, or a round of a search
+/// gave a new value.
 bool SettledEstimates::has_ended(const SettledLink& link, const LinkEstimate::State& now) const {
     if (now.settled || now.settled_in3_per_psi.empty())
         return false;

@@ -108,8 +108,8 @@ void StateFile::open(StateContent& content) {
     content.trouble = trouble_with_writing();
 }
 
-/// Returns why the file cannot be written, or "". To find out, writes one page, because SQLite would skip a write that
-/// changes nothing.
+/// Returns the reason why the file cannot be written, or "". Writes one page as a test, because SQLite would skip a
+/// write that changes nothing.
 std::string StateFile::trouble_with_writing() {
     try {
         database_->run("BEGIN IMMEDIATE; UPDATE ledger SET last = last + 1; UPDATE ledger SET last = last - 1; COMMIT");
@@ -133,9 +133,9 @@ void StateFile::require_in_place() const {
         throw store::DatabaseError("the file was removed or replaced", false);
 }
 
-/// Opens the file again after an error. If the file was removed, a copy replaces it. The copy is locked before it gets
-/// the file's name. If the file is removed once more meanwhile, the next attempt can still succeed. A file that another
-/// program has put there stays unchanged.
+/// Opens the file again after an error. If the file was removed, a copy replaces it. This program locks the copy before
+/// the copy gets the file's name. If the file is removed again before that, the next attempt can still succeed. A file
+/// that another program has put in this place stays unchanged.
 void StateFile::renew() {
     const bool gone = !fs::exists(fs::symlink_status(given_)) && !fs::exists(path_);
     if (!gone && !lock_->is_at(given_))

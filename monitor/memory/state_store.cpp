@@ -31,8 +31,8 @@ std::string settings_text(const Diagnoses& diagnoses) {
                        s.gate.slope_psi_per_s);
 }
 
-/// Returns, for each machine, the last message that need not be processed again: the stored state contains the message,
-/// or the machine was forgotten later.
+/// Returns, for each machine, the last message that need not be processed again. Either the stored state contains this
+/// message, or the machine was forgotten later.
 std::map<std::string, std::uint64_t> taken_already(const StateContent& content) {
     std::map<std::string, std::uint64_t> taken;
     for (const KeptMessage& message : content.messages)
@@ -134,7 +134,7 @@ void StateStore::start(std::function<void(WriteProgress)> tell) {
 
 void StateStore::note(const WriteProgress& progress) {
     if (progress.transactions < anew_ticket_)
-        return; // everything has been stored again since, so this result no longer matters
+        return; // since that error everything has been stored anew, so the result no longer matters
     complete_ = progress.trouble.empty();
     if (!complete_)
         keeping_ = false;

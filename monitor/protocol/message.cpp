@@ -71,7 +71,7 @@ ExcavatorParameters machine_parameters(FieldReader& fields) {
     parameters.period_s = fields.number_or("period_s", periods, parameters.period_s);
     if (fields.has("flow")) {
         FieldReader flow = fields.object("flow");
-        // All three or none must be given, since k, Q and P_e were fitted together.
+        // The fields k, Q and P_e must be given together or not at all, since the three constants were fitted together.
         parameters.flow = {flow.number("orifice_in3_per_s_in2_sqrt_psi", {1, 1000, ""}),
                            flow.number("pump_in3_per_s", {1, 10000, "in^3/s"}),
                            flow.number("tank_psi", {-20, 500, "psi"}), parameters.flow.relief_psi};

@@ -66,7 +66,7 @@ void Connection::next_line() {
     else if (ended_ && !input_.empty())
         hand_on(input_.size()); // the end of the stream ends its last line, too
     else if (ended_ && held_ > 0)
-        held_back_ = true; // waits until the line has been answered
+        held_back_ = true; // waits until the program has answered the line
     else if (ended_)
         finish();
     else {
@@ -81,7 +81,7 @@ void Connection::hand_on(std::size_t end) {
     searched_ = 0;
     if (!line.empty() && line.back() == '\r')
         line.pop_back();
-    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some programs begin every text with it
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // some programs begin every text with this mark
     if (++lines_ == 1 && line.starts_with(byte_order_mark))
         line.erase(0, byte_order_mark.size());
     last_line_ = line_begun_ = Clock::now();

@@ -249,7 +249,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
     Client* other = clients_.join(client);
     if (hello.role == Role::control)
         persistence_.save(diagnosis);
-    if (other) { // the old connection may be half open: its control system may be gone
+    if (other) { // the old connection may be half open if its control system has gone
         outbox_.send(*other, plain_line("closing", "another control system has taken over this machine"));
         outbox_.finish(*other);
     }
@@ -264,7 +264,7 @@ void Dispatcher::answer(Client& client, const Hello& hello, std::string_view) {
         note_cleared(diagnosis, forgotten);
 }
 
-/// Clears the alarms of a machine whose data is deleted; nothing else would clear them.
+/// Clears the alarms of a machine whose data is deleted, because no later event would clear these alarms.
 void Dispatcher::note_cleared(const Diagnosis& diagnosis, const SampleOutcome& forgotten) {
     std::vector<Entry> history;
     add_history(diagnosis, forgotten, history);
@@ -470,8 +470,8 @@ void Dispatcher::tick() {
     meter_.count_turn(LoadMeter::Clock::now() - begin);
 }
 
-/// Tells the client whether data is stored. Sends the message immediately, past the outbox, because the outbox would
-/// hold it back until data is stored.
+/// Tells the client whether data is stored. Sends the message at once and not through the outbox, because the outbox
+/// would hold the message back until data is stored.
 void Dispatcher::tell_kept(Client& client) {
     if (std::exchange(client.told_kept, persistence_.well()) != persistence_.well())
         client.send(kept_line(persistence_.well(), persistence_.trouble()));

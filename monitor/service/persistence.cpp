@@ -11,7 +11,8 @@ namespace placedpar::monitor {
 
 namespace {
 
-/// Storing anew copies the states of all machines, so each retry waits longer than the previous retry.
+/// The shortest and the longest pause before data is stored anew. Storing anew copies the states of all machines, so
+/// each pause is longer than the previous pause.
 constexpr std::chrono::seconds first_pause{1}, longest_pause{16};
 
 std::string going_on(const std::string& trouble) {

@@ -102,7 +102,7 @@ public:
                 site_->welcome(std::move(socket), caller);
             });
         if (std::string trouble = tell_systemd("READY=1"); !trouble.empty())
-            log_.say(trouble); // this is reported only once, because later calls fail for the same reason
+            log_.say(trouble); // only the first failure is reported, because later calls fail for the same reason
         tick();
         io_.run();
         dispatcher_->finish();
@@ -184,7 +184,7 @@ private:
         std::vector<std::shared_ptr<Connection>> connections;
         for (const auto& [key, guest] : guests_)
             connections.push_back(guest.connection);
-        for (const auto& connection : connections) // a connection may remove itself meanwhile
+        for (const auto& connection : connections) // the loop uses a copy, because a connection may remove itself
             connection->tick(now);
         dispatcher_->tick();
         log_.tick();

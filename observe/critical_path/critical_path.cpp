@@ -26,7 +26,7 @@ std::string executive_of(const Process& process) { return process.executive() ? 
 
 bool outputs(const Process& process) { return process.activity() == Activity::outputting; }
 
-/// Returns the channel whose message ends the wait; null if no message ends the wait.
+/// Returns the channel whose message ends the wait. Returns null if no message ends the wait.
 const AnyChannel* channel_of_message(const Process& process) {
     const auto channels = process.awaited_channels();
     auto found = std::ranges::find_if(channels, [&](const AnyChannel* channel) {
@@ -53,7 +53,7 @@ std::uint32_t CriticalPath::number_of(const std::string& subject) {
     return found->second;
 }
 
-/// Adds an event; returns `before` instead if no time has passed since `before`.
+/// Adds an event and returns its number. If no time has passed since `before`, adds no event and returns `before`.
 CriticalPath::Number CriticalPath::add(Number before, Time at, Activity activity, const std::string& subject,
                                        const std::string& place) {
     if (!points_.empty() && points_[before].at == at)

@@ -11,9 +11,9 @@ namespace placedpar::page {
 
 namespace {
 
-/// Limits the bins of all tracks together; each bin takes two bytes of the page.
+/// The greatest number of bins of all tracks together. Each bin takes two bytes of the page.
 constexpr std::size_t most_bins_together = 2'000'000;
-/// Greatest number of bins of each track if the page has all slices uncompressed. Bins are then used only for the view
+/// The greatest number of bins of each track if the page has all slices uncompressed. The bins then serve only the view
 /// of the whole run.
 constexpr std::size_t bins_beside_slices = 1024;
 

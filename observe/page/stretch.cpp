@@ -43,7 +43,7 @@ void Stretch::add(const MessageArrow& arrow) {
                        texts_.number_of(arrow.channel), arrow.left, arrow.arrived});
 }
 
-/// The vectors are cleared, not replaced, so that their memory is used again.
+/// The vectors are cleared and not replaced, so that the next stretch uses their memory again.
 PackedStretch Stretch::pack() {
     std::string texts = as_json(boost::json::serialize(texts_.json())), bytes;
     append_number(bytes, texts.size());

@@ -24,7 +24,7 @@ std::string microseconds(Time t) {
     return fmt::format("{}.{:06}", t.count() / picoseconds, t.count() % picoseconds);
 }
 
-/// Returns the names of the partners; for a partner that is not known yet, the channel's name.
+/// Returns the names of the partners. If a partner is not known yet, the name of the channel stands in its place.
 std::string partners_of(const Slice& slice, const char* joined_by) {
     std::vector<std::string> partners;
     for (const Awaited& awaited : slice.awaited)
@@ -79,7 +79,8 @@ std::string described(const Awaited& awaited) {
                        json_text(awaited.partner.empty() ? "none yet" : awaited.partner));
 }
 
-/// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait; "" if there are none.
+/// Returns the slice's arguments: the bytes that a link carries, or the channels of a wait. Returns "" for a slice
+/// without arguments.
 std::string arguments(const Slice& slice) {
     if (slice.activity == Activity::carrying && !slice.open)
         return fmt::format(R"({{"bytes":{}}})", slice.bytes);

@@ -22,7 +22,8 @@ using At = picture::Point;
 constexpr double border = 16, title_height = 30, heading_height = 20, row_height = 16, axis_height = 26,
                  legend_height = 26, time_width = 860, label_size = 10, joined_below = 0.4;
 
-/// The style of the drawing, readable in grey: bars of different activities differ in height and filling.
+/// The style of the drawing. Bars of different activities differ in height and filling, so that the drawing is readable
+/// in grey, too.
 constexpr const char* style = R"(.title { font-size: 14px; font-weight: bold; }
 .node { font-size: 11px; font-weight: bold; }
 .row, .key { font-size: 10px; }

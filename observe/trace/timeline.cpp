@@ -51,7 +51,7 @@ void Timeline::finish(const RunResult& result) {
     writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
 }
 
-/// Returns whether the trace continues; ends it if its window or its limit is exceeded.
+/// Returns whether the trace continues. Ends the trace if it exceeds its window or its limit.
 bool Timeline::taking(Time now) {
     if (!end_ && now > window_.until) {
         shut(window_.until, "end of the part that is traced");
@@ -127,7 +127,7 @@ void Timeline::close(ProgramLane& lane, Time end, bool open) {
         place(message, lane.track, std::max(lane.since, window_.from));
 }
 
-/// Notes that a process known by its name has output or input a message.
+/// Notes that a process of a booted program has output or input a message. Such a process is known only by its name.
 void Timeline::program_communicates(const MessagePart& part, Time now) {
     const auto found = programs_.find(part.process);
     if (!taking(now) || now < window_.from || found == programs_.end())
@@ -380,7 +380,7 @@ void Timeline::give_up(Lane& lane) {
             messages_.erase(message.message);
 }
 
-/// Ends the trace. Whether the present waits will end is known only at the end of the run.
+/// Ends the trace. Only the end of the run shows whether the present waits will end.
 void Timeline::shut(Time now, const std::string& why) {
     end_ = now;
     why_ = why;

@@ -21,7 +21,7 @@ constexpr std::pair<Activity, const char*> wires_of_a_process[] = {
     {Activity::after_work, "after_work"},  {Activity::stopped, "stopped"},
 };
 
-/// Wire numbers reserved for each track: one for each activity, although most are not used.
+/// The number of wires that are reserved for each track: one for each activity. Most of these wires are not used.
 constexpr std::uint32_t wires_of_a_track = 16;
 
 std::uint32_t wire_of(std::size_t track, Activity activity) {
@@ -55,7 +55,8 @@ std::string identifier(const std::string& name) {
 /// Makes the names of one scope unique.
 class ScopeNames {
 public:
-    /// Returns an unused identifier for the name; a number distinguishes `a[1]` and `a_1`.
+    /// Returns an unused identifier for the name. A number distinguishes names such as `a[1]` and `a_1`, which would
+    /// give the same identifier.
     std::string take(const std::string& name) {
         std::string plain = identifier(name), unique = plain;
         for (int number = 2; !taken_.insert(unique).second; ++number)
@@ -148,7 +149,7 @@ void VcdTrace::write_changes(Time begin, Time end) {
             file_.write(value_change(number, wire));
 }
 
-/// Applies the changes up to and including `until`; returns the first later change.
+/// Applies the changes up to and including `until`. Returns the first later change.
 VcdTrace::Changes::const_iterator VcdTrace::make_changes(Changes::const_iterator next, Time until) {
     for (; next != changes_.cend() && next->at <= until; ++next)
         wires_[next->wire].tracks += next->by;

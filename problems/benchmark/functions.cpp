@@ -23,8 +23,8 @@ double sum_of(std::span<const double> x, Term term) {
 
 double square(double x) { return x * x; }
 
-/// Returns a random stream that depends on `x` and `seed`. Different arguments give different streams, except when
-/// their 64-bit keys collide.
+/// Returns a random stream that depends on `x` and `seed`. Different arguments give different streams, except if their
+/// 64-bit keys collide.
 RandomStream stream_of(std::span<const double> x, std::uint64_t seed) {
     for (double each : x)
         seed = (seed ^ std::bit_cast<std::uint64_t>(each)) * 0x9e3779b97f4a7c15u + (seed >> 29);
@@ -86,8 +86,9 @@ double Ackley::objective(std::span<const double> x) const {
     return 20 + std::numbers::e - 20 * std::exp(-0.2 * std::sqrt(sum_of(x, square) / count)) - std::exp(waves / count);
 }
 
-/// Each computation uses the result of the previous one, so that the compiler cannot leave out any computation. The
-/// previous result is multiplied by `share`, which is too small to change the value.
+/// Computes the objective many times, as an example of an expensive problem. Each computation uses the result of the
+/// previous computation, so the compiler cannot leave out any computation. The previous result is multiplied by
+/// `share`, which is too small to change the value.
 double Costly::objective(std::span<const double> x) const {
     constexpr double share = 1e-300;
     double value = 0;

@@ -42,8 +42,8 @@ double Landscape::objective(const Genome& genome) const {
     return sum;
 }
 
-/// Returns the best sum of all strings whose first k bits are `first`. Extends the string bit by bit. Keeps the best
-/// sum for each value of the last k bits, on which later contributions depend.
+/// Returns the best sum of all strings whose first k bits are `first`. Extends the strings bit by bit. Keeps the best
+/// sum for each value of the last k bits, because only these bits affect later contributions.
 double Landscape::best_from(std::size_t first) const {
     std::size_t states = std::size_t{1} << k_;
     constexpr double never = -std::numeric_limits<double>::infinity();

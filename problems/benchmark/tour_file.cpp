@@ -48,7 +48,8 @@ double radians(double coordinate) {
     return 3.141592 * (degrees + 5 * (coordinate - degrees) / 3) / 180;
 }
 
-/// Returns the distance on the sphere that TSPLIB takes for the earth; x is the latitude, y the longitude.
+/// Returns the distance of two cities on a sphere with TSPLIB's radius of the earth; x is the latitude, y the
+/// longitude.
 double geographical(const City& a, const City& b) {
     constexpr double radius_km = 6378.388;
     const double along = std::cos(radians(a.y) - radians(b.y)), difference = std::cos(radians(a.x) - radians(b.x));
@@ -132,7 +133,7 @@ private:
         refuse(fmt::format("{}: \"{}\" cannot be read: expected {}", key, name, fmt::join(names, ", ")));
     }
 
-    /// Throws UserError for a second line of this keyword or section.
+    /// Throws UserError if this keyword or section has occurred before.
     void require_first(const std::string& name) {
         if (name != "COMMENT" && !seen_.insert(name).second)
             refuse(fmt::format("\"{}\" occurs twice, expected once", name));

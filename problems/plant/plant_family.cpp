@@ -27,7 +27,7 @@ struct PlantFamily {
     std::size_t simulated = 0; ///< 1: SimulatedPlantProblem; 0: PlantProblem
 
     static constexpr auto numbers() {
-        constexpr double widest = 1.67; // between -1.67 and 1.67 the poles are a complex pair, since a2 = -.7
+        constexpr double widest = 1.67; // a complex pair of poles for -1.67 < a1 < 1.67, since a2 = -.7
         return std::tuple(
             PolicyNumber{"a1", &PlantFamily::a1, -widest, widest,
                          "final value of the coefficient a1, which begins at 1.5 (Table 5.4)"},

@@ -41,7 +41,7 @@ std::vector<double> input_signal(std::size_t samples, RandomStream& random) {
     return input;
 }
 
-/// Returns signal[k - delay]; 0 if k < delay.
+/// Returns signal[k - delay]. Returns 0 if k < delay.
 double past(const std::vector<double>& signal, std::size_t k, std::size_t delay) {
     return k < delay ? 0 : signal[k - delay];
 }

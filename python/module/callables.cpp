@@ -133,7 +133,8 @@ struct CallableAcceptance : Callable {
     }
 };
 
-/// Returns a hint for a user who gave a number: in a netlist, these names are probabilities.
+/// Returns a hint for a user who gave a number as the mutation or the crossover: another setting states the
+/// probability.
 std::string hint_for(const std::string& step) {
     return step == "mutation" || step == "crossover" ? "; " + step + "_probability sets how often it happens" : "";
 }

@@ -15,8 +15,8 @@ using Kind = Operation::Kind;
 
 namespace {
 
-/// Returns the place at which a generator waits, such as "relay.py:12". After `yield from`, it is the place in the
-/// innermost generator.
+/// Returns the place at which a generator waits, such as "relay.py:12". If the generator waits at a `yield from`,
+/// returns the place in the innermost generator.
 std::string place_of(py::object generator) {
     while (py::hasattr(generator, "gi_yieldfrom") && py::hasattr(generator.attr("gi_yieldfrom"), "gi_frame"))
         generator = generator.attr("gi_yieldfrom");
@@ -30,7 +30,7 @@ std::string place_of(py::object generator) {
 } // namespace
 
 GeneratorRun::~GeneratorRun() {
-    // Python reports a generator that refuses to be closed; the run is not affected.
+    // If the generator refuses to be closed, Python reports the refusal. The run continues.
     python_.call([&] {
         components_.clear();
         generator_ = where_ = operation_ = result_ = py::object();
@@ -65,7 +65,7 @@ void GeneratorRun::start(py::object component, const py::object& enclosing) {
 }
 
 void GeneratorRun::finish() {
-    // Notes the place also if the run ends while this process waits.
+    // Notes the generator's place also if the run ends while this process waits.
     const std::shared_ptr<const void> leaving(nullptr, [this](const void*) { note_place(); });
     if (generator_)
         python_.call([&] { step(py::none()); });

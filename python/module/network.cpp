@@ -160,8 +160,8 @@ private:
     RunClock* clock_; ///< null if no thread reads the time
 };
 
-/// Puts into the report the lines of Python at which processes wait. Before, the report has lines in the C++ source of
-/// this module, which do not help the user.
+/// Puts the lines of Python at which processes wait into the report. They replace lines in the C++ source of this
+/// module, which do not help the user.
 void set_places(RunReport& report, const std::map<std::string, std::string>& places) {
     if (report.result.deadlock)
         for (StuckProcess& process : report.result.deadlock->processes)

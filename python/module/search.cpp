@@ -125,7 +125,7 @@ IslandsResult run(const SearchProblem& problem, const std::optional<RecordedProb
     return run_islands(problem, options.generations, settings, std::move(streams), &observer, checkpoints);
 }
 
-/// Returns the checkpoint file of the search; null if the options name none.
+/// Returns the checkpoint file of the search. Returns null if the options name none.
 std::unique_ptr<CheckpointFile> checkpoint_of(const SearchOptions& options, const std::string& text,
                                               const SearchProblem& problem, const std::vector<std::string>& names,
                                               std::size_t population) {

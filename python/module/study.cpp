@@ -57,8 +57,8 @@ Study study_of(const LoadedNetwork& network, const Axes& axes) {
     return study;
 }
 
-/// Makes the missing runs without Python's global lock, on `jobs` cores (0: on all). `progress` is None, or a function
-/// that receives the number of runs made so far and the number of runs that were missing.
+/// Makes the missing runs without Python's global lock, on `jobs` cores (0: all cores). `progress` is None, or a
+/// function that receives the number of runs made so far and the number of runs that were missing.
 void make_runs(const Study& study, StudyResults& results, std::size_t jobs, const py::object& progress) {
     InterruptedByKeyboard interruption;
     const py::gil_scoped_release unlocked;

@@ -29,7 +29,7 @@ constexpr Scatter movement_scatter[]{{"boom.gravity", 0.05}, {"bucket.gravity", 
 
 bool moves_two(const RecordSource& source) { return record_scenario_named(source.scenario)->any_links; }
 
-/// Throws std::invalid_argument if the scenario records no such readings of a valve.
+/// Throws std::invalid_argument if the scenario's records lack the readings of the valve that `from` needs.
 void require_readings(const RecordSource& source, AreasFrom from) {
     const char* name = from == AreasFrom::areas ? "areas" : from == AreasFrom::spool ? "spool" : "voltage";
     const bool there = from == AreasFrom::areas ? moves_two(source)

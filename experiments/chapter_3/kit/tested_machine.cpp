@@ -11,7 +11,8 @@ namespace {
 
 constexpr double pause_s = 2.5;
 
-/// Returns settings with a gate that never opens, so no search is made. Verdicts do not need a search.
+/// Returns settings with which the diagnosis never starts a search, because verdicts do not need a search. The gate,
+/// which lets samples into a search, never opens.
 DiagnosisSettings without_searches() {
     DiagnosisSettings settings;
     settings.gate.slope_psi_per_s = std::numeric_limits<double>::infinity();

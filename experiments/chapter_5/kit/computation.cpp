@@ -31,7 +31,7 @@ double answers_to_pole(const std::vector<Pole>& answers) {
 }
 
 double samples_of_recursion(std::uint64_t seed) {
-    // The experiment `baselines` shows that only the forgetting factor .9 follows the change.
+    // The forgetting factor is .9, because the experiment `baselines` shows that only this factor follows the change.
     RecursiveIdentification recursion(0.9);
     std::vector<Pole> answers;
     for (const Sample& sample : plant_samples({}, seed)) {

@@ -69,7 +69,7 @@ bool is_good(const PlantProblem& problem, const Recoding& reading, std::size_t s
     return std::hypot(plant.alpha - pole.alpha, std::abs(plant.beta) - pole.beta) < PlantOutcome::near_the_pole;
 }
 
-/// Counts the strings for whose numbers `is` returns true.
+/// Counts the strings whose number satisfies the condition `is`.
 template <class Is>
 double count_strings(std::size_t strings, Is is) {
     std::size_t count = 0;
