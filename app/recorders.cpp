@@ -23,7 +23,7 @@ void Recorders::finish(const PageContent& content, std::span<const PathPart> cri
         print_warnings(page_->warnings(page_path_));
     }
     if (trace_)
-        print_warnings(trace_->finish(content.report.result, critical_path));
+        print_warnings(trace_->finish(content.report.result, critical_path, name_of(content.report.outcome())));
 }
 
 } // namespace placedpar

@@ -13,7 +13,7 @@ enum class RunOutcome {
     interrupted
 };
 
-/// Returns a text such as "completed", "deadlock" or "halted by an error".
+/// Returns a text such as "completed", "deadlock", "program failed" or "halted by an error".
 const char* name_of(RunOutcome);
 
 } // namespace placedpar

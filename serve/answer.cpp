@@ -13,6 +13,7 @@
 #include "report/search_log.hpp"
 #include "serve/job_text.hpp"
 #include "text/paint.hpp"
+#include "text/texts_in_memory.hpp"
 #include "text/user_error.hpp"
 #include "text/utf8.hpp"
 
@@ -148,7 +149,10 @@ json::array faults_of(const std::string& main) {
 }
 
 json::object answered(const Job& job, Interruption& interruption) {
-    const ReadsFromMemory reading(job.files);
+    TextsInMemory files;
+    for (const auto& [name, text] : job.files)
+        files.put(name, text);
+    const ReadsFromMemory reading(files);
     json::object answer;
     if (job.task == "check") {
         answer["faults"] = faults_of(job.main);

@@ -16,7 +16,7 @@ namespace placedpar::serve {
 ///
 ///   "do"        "check", "run", "explain", "listing" or "exercise"
 ///   "main"      the file that is checked or run: a netlist or a configuration, or a program in occam (.occ)
-///   "files"     {name: text}; no other file is read
+///   "files"     {name: text}; no other file is read. A name must not begin with "/" or contain ".."
 ///   "seed"      the seed of the run; 1 if this member is missing
 ///   "exercise"  the number of the exercise that "main" solves
 ///   "expected"  the output of a correct solution, if the task is not an exercise of the course

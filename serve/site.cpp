@@ -12,7 +12,6 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <optional>
@@ -48,12 +47,7 @@ std::string catalogue_json() {
 }
 
 /// Returns the job's member "do". Throws std::invalid_argument if the text is not a job.
-std::string task_of(const std::string& text) {
-    const Job job = job_of(text);
-    if (job.count_of_files > most_files)
-        throw std::invalid_argument(fmt::format("the job has more than {} files", most_files));
-    return job.task;
-}
+std::string task_of(const std::string& text) { return job_of(text, most_files).task; }
 
 } // namespace
 

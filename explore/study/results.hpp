@@ -2,6 +2,7 @@
 
 #include "explore/study/measure.hpp"
 #include "explore/study/study.hpp"
+#include "netlist/run_outcome.hpp"
 #include "store/database.hpp"
 #include "store/file_lock.hpp"
 
@@ -17,12 +18,17 @@
 namespace placedpar {
 
 struct StudyOutcome {
-    std::string ended; ///< "completed", "deadlock", "stopped at the time limit", "refused"
+    std::string ended; ///< name_of(RunOutcome), or "refused"
     Time time{};
     std::uint64_t fingerprint = 0;
     std::uint64_t netlist_hash = 0;
     std::string refused = ""; ///< printed reason why the netlist is refused; "" if it is accepted
     StudyFigures figures = {};
+
+    /// Returns whether the figures mean something. In all other cases, such as a deadlock, the work was not done.
+    bool has_figures() const {
+        return ended == name_of(RunOutcome::completed) || ended == name_of(RunOutcome::time_limit);
+    }
 };
 
 /// What determines all runs of a file of results, apart from their settings and seeds. A file with another source is

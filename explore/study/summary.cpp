@@ -20,8 +20,7 @@ using Measured = std::vector<std::optional<StudyFigure>>;
 
 Measured measured(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
     Measured figures(measures.size());
-    // In all other cases, such as a deadlock, the work was not done, so the figures would mislead.
-    if (outcome.ended == name_of(RunOutcome::completed) || outcome.ended == name_of(RunOutcome::time_limit))
+    if (outcome.has_figures())
         std::ranges::transform(measures, figures.begin(),
                                [&](const StudyMeasure& each) { return each.of(outcome.figures); });
     return figures;

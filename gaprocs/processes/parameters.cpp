@@ -6,7 +6,6 @@
 #include "gaprocs/spread_population.hpp"
 #include "gaprocs/usual_settings.hpp"
 #include "netlist/kinds/environment.hpp"
-#include "text/counted.hpp"
 #include "text/number.hpp"
 #include "text/user_error.hpp"
 

@@ -100,7 +100,7 @@ function clocksText() {
 
 function showOutcome() {
   document.getElementById("heading").textContent = report.manifest.netlist;
-  const well = report.outcome === "completed" || report.outcome === "time limit";
+  const well = report.outcome === "completed" || report.outcome === "stopped at the time limit";
   d3.select("#outcome").html(`<span class="${well ? "" : "bad"}">${escaped(report.outcome)}</span> at ${timeText(report.time_ps, span)}, ` +
     `seed ${report.manifest.seed}, placedpar ${escaped(report.manifest.version)}.${clocksText()}${extentText()}`);
   const part = partText();

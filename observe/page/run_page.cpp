@@ -144,7 +144,7 @@ RunPage::RunPage(const Network& network, const TraceWindow& window)
 
 std::string RunPage::html(const PageContent& content, std::span<const PathPart> critical_path) {
     recorder_.draw_path(critical_path);
-    timeline_.finish(content.report.result);
+    timeline_.finish(content.report.result, name_of(content.report.outcome()));
     boost::json::object data{{"processes", processes_on_page(content.network)},
                              {"report", report_on_page(content)},
                              {"searches", searches_on_page(content.searches)},

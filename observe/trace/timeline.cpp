@@ -40,7 +40,7 @@ std::string Timeline::why_empty() const {
                        to_string(window_.from));
 }
 
-void Timeline::finish(const RunResult& result) {
+void Timeline::finish(const RunResult& result, const std::string& ended) {
     for (auto& [ordinal, lane] : lanes_)
         finish(lane, result);
     for (auto& [name, lane] : programs_)
@@ -48,7 +48,8 @@ void Timeline::finish(const RunResult& result) {
     lanes_.clear();
     programs_.clear();
     messages_.clear();
-    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? name_of(result.ending) : why_);
+    const std::string how = ended.empty() ? name_of(result.ending) : ended;
+    writer_.finish(std::min(window_.from, *end_), *end_, why_.empty() ? how : why_);
 }
 
 /// Returns whether the trace continues. Ends the trace if it exceeds its window or its limit.

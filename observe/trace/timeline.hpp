@@ -41,8 +41,9 @@ public:
     std::string why_empty() const;
     /// Completes the trace. A wait that never ended, or that ended after the end of the trace, is written as open, that
     /// is, without an end. A wait that ended only because the work of the run was over (see wait_until_work_is_over) is
-    /// not open. REQUIRES: the run is over.
-    void finish(const RunResult&);
+    /// not open. The trace says that the run ended as `result` does, or, if `ended` is not "", as `ended` does: an
+    /// error of a program is not part of the result. REQUIRES: the run is over.
+    void finish(const RunResult& result, const std::string& ended = "");
 
     void turns(const Process&, Activity, Time) override;
     void program_turns(const ProgramTurn&, Time) override;

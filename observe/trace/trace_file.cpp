@@ -56,9 +56,10 @@ TraceFile::TraceFile(const std::filesystem::path& path, const Network& network, 
     : path_(path), window_(window_for(path, require_time_in(window))), file_(path), tracks_(network),
       writer_(make_writer(trace_format(path), file_, tracks_)), timeline_(tracks_, window_, *writer_) {}
 
-std::string TraceFile::finish(const RunResult& result, std::span<const PathPart> critical_path) {
+std::string TraceFile::finish(const RunResult& result, std::span<const PathPart> critical_path,
+                              const std::string& ended) {
     writer_->draw_path(critical_path);
-    timeline_.finish(result);
+    timeline_.finish(result, ended);
     file_.finish();
     return warnings();
 }

@@ -25,9 +25,9 @@ public:
 
     TraceSink& sink() { return timeline_; }
     /// Completes the file, and returns lines of text that tell the user what is missing in the trace. Throws UserError
-    /// if the file could not be written completely. If this function is not called, no file is left. REQUIRES: the run
-    /// is over.
-    std::string finish(const RunResult&, std::span<const PathPart> critical_path = {});
+    /// if the file could not be written completely. If this function is not called, no file is left. `ended`: see
+    /// Timeline::finish(). REQUIRES: the run is over.
+    std::string finish(const RunResult&, std::span<const PathPart> critical_path = {}, const std::string& ended = "");
 
 private:
     std::string warnings() const;

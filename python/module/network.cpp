@@ -128,7 +128,7 @@ py::tuple timeline_of(const LoadedNetwork& network, const FinishedRun& run) {
     SliceRows rows(tracks);
     Timeline timeline(tracks, {}, rows);
     const FinishedRun again = repeated(network, run, timeline);
-    timeline.finish(again.report.result);
+    timeline.finish(again.report.result, name_of(again.report.outcome()));
     if (const auto full = timeline.full_at())
         warn("the timeline is full and ends at " + to_string(*full) + ", after " +
              std::to_string(TraceWindow{}.most_entries) + " entries: run(until=...) makes a shorter timeline");

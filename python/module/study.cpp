@@ -10,7 +10,6 @@
 #include "text/user_error.hpp"
 
 #include <boost/json.hpp>
-#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -34,8 +33,6 @@ void tell(const py::object& progress, std::size_t ended, std::size_t all) {
 }
 
 StudyAxis axis_of(const std::string& name, const std::vector<std::string>& values) {
-    if (values.empty())
-        throw UserError(fmt::format("{} has no values: give at least one, such as {}=[1, 2]", name, name));
     StudyAxis axis{name, {}};
     for (const std::string& value : values)
         axis.parts.emplace_back(name, value);
@@ -79,7 +76,7 @@ py::dict row_of(const StudyRun& run, const StudyOutcome& outcome, const std::vec
     row["seed"] = run.seed;
     row["outcome"] = outcome.ended;
     for (const StudyMeasure& measure : measures) {
-        const auto figure = measure.of(outcome.figures);
+        const auto figure = outcome.has_figures() ? measure.of(outcome.figures) : std::nullopt;
         row[measure.text().c_str()] = figure ? py::cast(figure->value) : py::none();
     }
     return row;

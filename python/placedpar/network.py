@@ -102,7 +102,7 @@ class Run:
 
     @property
     def outcome(self) -> str:
-        """How the run ended: "completed", "deadlock", or "stopped at the time limit"."""
+        """How the run ended: "completed", "stopped at the time limit", "deadlock", "program failed", or "halted by an error"."""
         return self._core.outcome
 
     @property

@@ -38,6 +38,9 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
         axes.append((name, [setting(value) for value in ([values] if is_one else values)]))
     measures = [measure] if isinstance(measure, str) else list(measure)
     seeds = seed_of(seeds, "seeds")
+    for name, values in axes:
+        if not values:
+            raise Error(f"{name} has no values: give at least one, such as {name}=[1, 2]")
     with progress_of(progress, "{} of {} runs") as tell:
         if network._file and not network._kinds:
             rows = _core.sweep(network._core, axes, measures, seed_of(seed), seeds, limit(until),
@@ -50,6 +53,9 @@ def sweep(network: Network, settings: Optional[Mapping[str, Any]] = None, seeds:
                         "returned table" if store is not None else "the number of seeds is 0, expected at least 1")
     columns = [name for name, _ in axes] + ["seed", "outcome"] + measures
     return table([{name: number_in(value) for name, value in row.items()} for row in rows], columns)
+
+
+_WITH_FIGURES = ("completed", "stopped at the time limit")
 
 
 def _runs_here(network: Network, axes: Sequence[tuple[str, Sequence[str]]], measures: Sequence[str],
@@ -73,7 +79,8 @@ def _figures_of_run(network: Network, measures: Sequence[str], seed: int, until:
         run = ended.run
     except NetlistError:
         return {"outcome": "refused", **dict.fromkeys(measures)}
-    return {"outcome": run.outcome, **dict(zip(measures, network._core.figures(run._core, measures)))}
+    figures = network._core.figures(run._core, measures) if run.outcome in _WITH_FIGURES else [None] * len(measures)
+    return {"outcome": run.outcome, **dict(zip(measures, figures))}
 
 
 class Explanation:

@@ -98,14 +98,16 @@ class Vals(unittest.TestCase):
             "PROC p (CHAN OF SP fs, ts)\n  [3]INT x:\n  INT i:\n  SEQ\n    i := n\n    x[i] := n\n    IF\n      n = 2\n"
             "        so.exit (fs, ts, sps.failure)\n      TRUE\n        so.exit (fs, ts, sps.success)\n:\n", encoding="ascii")
         rows = [line.split(maxsplit=3) for line in self.ask("sweep", "n=0..3").splitlines()[3:7]]
-        self.assertEqual([row[0::3] for row in rows], [["0"], ["1"], ["2", "failed"], ["3", "halted by an error"]])
+        self.assertEqual([row[0::3] for row in rows], [["0"], ["1"], ["2", "program failed"], ["3", "halted by an error"]])
         self.assertEqual([row[2] == "-" for row in rows], [False, False, True, True])
         explained = placedpar("explain", "vals.occ", "--set", "n=3", folder=self.folder)
         self.assertEqual(explained.returncode, 1)
         self.assertRegex(explained.stdout, r"\A\S+: halted by an error at .*\n")
         compared = placedpar("compare", "vals.occ", "vals.occ", "--set", "n=2", folder=self.folder)
         self.assertEqual(compared.returncode, 1)
-        self.assertRegex(compared.stdout, r"\AA  .*: failed at ")
+        self.assertRegex(compared.stdout, r"\AA  .*: program failed at ")
+        placedpar("run", "vals.occ", "--set", "n=3", "--trace", "t.json", folder=self.folder)
+        self.assertIn("halted by an error", (self.folder / "t.json").read_text(encoding="utf-8"))
         seeds = placedpar("run", "vals.occ", "--set", "n=3", "--seeds", "2", "--json", "r.json", folder=self.folder)
         self.assertEqual(seeds.returncode, 1)
         self.assertEqual((self.folder / "r.json").read_text(encoding="ascii").count('"outcome": "halted by an error"'), 2)

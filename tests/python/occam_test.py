@@ -135,6 +135,15 @@ class Programs(unittest.TestCase):
         self.assertLess(again[0]["time"], again[2]["time"])
         self.assertAlmostEqual(again[2]["time"], net.run().time * 1e3)
 
+    def test_a_sweep_has_no_figures_of_a_program_that_an_error_ended(self):
+        program = self.folder / "third.occ"
+        program.write_text("VAL INT n IS 0:\nPROC third (CHAN OF BYTE keyboard, screen, error)\n  [2]INT x:\n  INT i:\n"
+                           "  SEQ\n    i := n\n    x[i] := 1\n:\n", encoding="ascii")
+        found = rows(pp.sweep(pp.load(program), n=[1, 2], measure="time"))
+        self.assertEqual([row["outcome"] for row in found], ["completed", "halted by an error"])
+        self.assertGreater(found[0]["time"], 0)
+        self.assertFalse(found[1]["time"] == found[1]["time"] and found[1]["time"] is not None)  # None, or pandas' nan
+
     def test_a_configuration_runs_as_a_netlist(self):
         run = pp.load(FARM).run()
         self.assertIn("worker 0 did 18 tasks\n", run.output)

@@ -18,11 +18,11 @@ namespace {
 const std::filesystem::path own_examples = std::filesystem::path(PLACEDPAR_SOURCE_DIR) / "examples";
 
 /// Returns how the run of this netlist failed, or `completed`.
-Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
+RunOutcome outcome_of(const test::ReplayInMemory& replay, const char* netlist) {
     try {
-        return run_to_the_end(own_examples / netlist, {}, replay.context).result.ending;
+        return run_to_the_end(own_examples / netlist, {}, replay.context).outcome();
     } catch (const UnfinishedRun& unfinished) {
-        return unfinished.ending;
+        return unfinished.outcome;
     }
 }
 
@@ -30,10 +30,10 @@ Ending ending_of(const test::ReplayInMemory& replay, const char* netlist) {
 
 TEST_CASE("a completed run is reported; a stuck or interrupted run is not") {
     test::ReplayInMemory replay(0);
-    CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::completed);
-    CHECK(ending_of(replay, "csp/deadlock/ring.cfs") == Ending::stuck);
+    CHECK(outcome_of(replay, "csp/commstime/commstime.cfs") == RunOutcome::completed);
+    CHECK(outcome_of(replay, "csp/deadlock/ring.cfs") == RunOutcome::deadlock);
     replay.interruption.request();
-    CHECK(ending_of(replay, "csp/commstime/commstime.cfs") == Ending::interrupted);
+    CHECK(outcome_of(replay, "csp/commstime/commstime.cfs") == RunOutcome::interrupted);
     CHECK_THROWS_WITH_AS(run_to_the_end(own_examples / "csp/commstime/commstime.cfs", {}, replay.context),
                          doctest::Contains("interrupted: the experiment is incomplete"), UnfinishedRun);
     CHECK(replay.warned.empty());
@@ -53,7 +53,7 @@ TEST_CASE("only a completed run has results; the message names the netlist and w
             require_end(report, "folder/machine.cfs");
             FAIL("an incomplete run was accepted");
         } catch (const UnfinishedRun& unfinished) {
-            CHECK(unfinished.ending == ending);
+            CHECK(unfinished.outcome == report.outcome());
             CHECK(unfinished.what() ==
                   std::string("folder/machine.cfs did not complete: placedpar run shows where it stopped"));
         }
