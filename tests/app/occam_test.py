@@ -290,7 +290,7 @@ PROC main (CHAN OF SP fs, ts)
 :
 """)
         self.assertEqual(done.returncode, 2, done.stdout)
-        self.assertRegex(done.stdout, r"alternates +no guard of this ALT is true +\S*test\.occ:8:")
+        self.assertRegex(done.stdout, r"alternates +no guard of this ALT is true +\S*test\.occ:7:")
 
     def test_too_small_a_memory_is_refused_before_the_run(self):
         text = "PROC main ()\n  [300000]INT a:\n  a[0] := 1\n:\n"
