@@ -31,7 +31,7 @@ Explanation half_busy() {
 }
 
 Answer answer_of(Change::Of of, const std::string& what, const std::string& change, Time time) {
-    return {.change = {of, what, change, {{what, "1"}}}, .ending = Ending::completed, .time = time};
+    return {.change = {of, what, change, {{what, "1"}}}, .outcome = RunOutcome::completed, .time = time};
 }
 
 std::string printed(const Explanation& explanation) {
@@ -100,7 +100,7 @@ TEST_CASE("the report says that a change was refused or did not complete") {
     Explanation explanation = half_busy();
     Answer refused = answer_of(Change::Of::constant, "bytes", "none", 0ms), stuck = refused;
     refused.refused = "out of range";
-    stuck.ending = Ending::stuck;
+    stuck.outcome = RunOutcome::deadlock;
     explanation.answers = {stuck, refused};
     CHECK(says(explanation, "deadlock  bytes none"));
     CHECK(says(explanation, "refused  bytes none"));

@@ -60,7 +60,7 @@ Network network_of(const std::string& file, bool split = false) {
     return std::move(*result.network);
 }
 
-Network network_of_text(const std::string& text) {
+Network network_from_text(const std::string& text) {
     const Scratch folder;
     return network_of(folder.write("graph.dot", text).string());
 }
@@ -171,7 +171,7 @@ TEST_CASE("an error in a graph is shown in the line of the wrong word") {
 }
 
 TEST_CASE("two edges between two nodes are two wires for one channel in each direction") {
-    const Network network = network_of_text("graph { a -- b; a -- b; b -- c }");
+    const Network network = network_from_text("graph { a -- b; a -- b; b -- c }");
     CHECK(std::ranges::count_if(network.connections, [&](const LinkConnection& wire) {
               return network.nodes[wire.a.node].name == "t[0]" && network.nodes[wire.b.node].name == "t[1]";
           }) == 2);
@@ -179,11 +179,11 @@ TEST_CASE("two edges between two nodes are two wires for one channel in each dir
 }
 
 TEST_CASE("a graph in several parts is refused with the nodes apart, and a wrong value with its range") {
-    CHECK_THROWS_WITH_AS(network_of_text("graph { a -- b; c; d -- e }"),
+    CHECK_THROWS_WITH_AS(network_from_text("graph { a -- b; c; d -- e }"),
                          doctest::Contains(".dot:1:1: error: no edges lead from \"a\" to \"c\", \"d\", \"e\""),
                          UserError);
     const auto refused = [](const std::string& attributes, const std::string& message) {
-        CHECK_THROWS_WITH_AS(network_of_text("graph { a -- b [" + attributes + "] }"),
+        CHECK_THROWS_WITH_AS(network_from_text("graph { a -- b [" + attributes + "] }"),
                              doctest::Contains(message.c_str()), UserError);
     };
     refused("length=-3", "length of the edge from a to b: \"-3\" is out of range\n");
@@ -191,7 +191,7 @@ TEST_CASE("a graph in several parts is refused with the nodes apart, and a wrong
     refused("speed=\"2000M\"", "\"2000M\" is out of range");
     refused("speed=2.5", "\"2.5\" is not an integer");
     refused("length=nan", "\"nan\" is not a number");
-    CHECK(wire_between(network_of_text("graph { a -- b [speed=\"1.5M\"] }"), "t[0]", "t[1]").bits_per_second ==
+    CHECK(wire_between(network_from_text("graph { a -- b [speed=\"1.5M\"] }"), "t[0]", "t[1]").bits_per_second ==
           1'500'000);
 }
 

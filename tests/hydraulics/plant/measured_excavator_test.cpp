@@ -252,8 +252,8 @@ TEST_CASE("an impossible excavator is refused with the reason") {
     CHECK(refusal([](auto& m) { m.friction.breakaway_lbf = 5000; }) ==
           "measured machine: the break-away force is 5000, expected at least the friction of 6000 lbf");
     CHECK(refusal([](auto& m) { m.duration_s = 1e9; }) ==
-          "measured machine: the duration is 1000000000 s, expected at most 100 s, which are 2000000 integration steps "
-          "of 5e-05 s");
+          "measured machine: the duration is 1000000000 s, expected at most 200 s, which are 2000000 integration steps "
+          "of 0.0001 s");
     CHECK(refusal([](auto& m) { m.oil.air_fraction = 1; }).starts_with("measured machine: the air fraction is 1"));
     CHECK(refusal([](auto& m) { m.command.desired_volts = std::nan(""); }).find("servo voltage") != std::string::npos);
 }
