@@ -47,8 +47,8 @@ std::optional<RunReport> RepeatedRun::run() {
         if (!course_.has_diverged)
             throw;
         return std::nullopt;
-    } catch (...) { // the process has departed from its history, or a run on the machine might throw the exception at
-                    // another time or not at all
+    } catch (...) { // The repetition is given up for one of two reasons: the process has departed from its recorded
+                    // history, or a simulated run would perhaps throw the exception at another time or not at all.
         return std::nullopt;
     }
     if (course_.has_diverged)

@@ -8,7 +8,7 @@
 
 namespace placedpar::picture {
 
-/// The places of a group of nodes that are drawn together (a block) relative to each other, in cells of a grid. Each
+/// The places of the nodes of a block, in cells of a grid. A block is a group of nodes that are drawn together. Each
 /// node has its own cell.
 using Shape = std::vector<Point>;
 

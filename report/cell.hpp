@@ -13,9 +13,9 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< result of the simulation; no constant was fitted to the cell
     calibrated, ///< one constant was fitted to this cell
-    workload,   ///< a constant for the cost of the program was taken from this cell
+    workload,   ///< the cell shows a cost of the simulated program, which the netlist states
     fitted,     ///< constants were fitted to several cells, including this cell
-    constant    ///< the cell repeats a constant of the model; any difference is an error of the program
+    constant    ///< the cell repeats a constant of the model; any difference is an error of PlacedPar
 };
 
 inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Origin::workload, Origin::fitted,
@@ -23,7 +23,7 @@ inline constexpr std::array every_origin{Origin::outcome, Origin::calibrated, Or
 
 const char* name_of(Origin);
 
-/// States where the figure or bound comes from with which a cell is judged.
+/// States the source of the figure or bound by which a cell is judged.
 enum class Judge {
     thesis,    ///< a figure, an equation or a claim of the thesis
     published, ///< a figure that others have published

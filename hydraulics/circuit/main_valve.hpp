@@ -7,8 +7,9 @@ namespace placedpar::hydraulics {
 
 class Parameters; // hydraulics/data/parameters.hpp
 
-/// The pressures that decide which pump feeds which link (thesis 2.4). Branch n is the line from pump n past its first
-/// link, a check valve, and the junction of its second link. This project has only the caption of Figure 2.10 and not
+/// The pressures that decide which pump feeds which link (thesis 2.4). Branch n is the oil line of pump n.
+/// It passes three places in this order: the junction of the pump's first link, a check valve, and the junction of its
+/// second link. This project has only the caption of Figure 2.10 and not
 /// its drawing, so this meaning of a branch is an interpretation.
 struct BranchPressures {
     double p12_psi; ///< branch 1 before its check valve: past the bucket

@@ -20,7 +20,7 @@ namespace placedpar::identification {
 struct OpenSample {
     std::size_t readings = 0;
     double first_s = 0; ///< time of the first reading
-    double after_s = 0; ///< sum of the delays of all readings after the first
+    double after_s = 0; ///< sum over all readings of their times since the first reading
 
     double middle_s() const { return first_s + after_s / static_cast<double>(readings); }
     friend bool operator==(const OpenSample&, const OpenSample&) = default;

@@ -66,8 +66,8 @@ struct MovingSearchState {
 struct MovingDiagnosisState {
     MovingSearchState search;
     std::map<hydraulics::LinkSet, std::vector<LinkEstimate>> estimates; ///< in the order of links_of()
-    /// Index of the link's last impossible reading, until a set that contains the link has been searched with samples
-    /// of later readings.
+    /// Index of the link's last reading that cannot be right, such as a frozen pressure. It is kept until a set that
+    /// contains the link has been searched with samples of later readings; afterwards it is empty.
     hydraulics::PerLink<std::optional<std::size_t>> impossible{};
 
     friend bool operator==(const MovingDiagnosisState&, const MovingDiagnosisState&) = default;

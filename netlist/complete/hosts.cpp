@@ -14,7 +14,8 @@ void take_speed(Node& host, const Node& neighbour) {
         host.attributes.insert_or_assign("linkspeed", speed->second);
 }
 
-/// Turns the edge into a workstation of the same name, so that a netlist need not declare the host computer.
+/// Turns the node `host`, an edge of the netlist, into a workstation of the same name. So a netlist need not declare
+/// the host computer.
 void make_workstation(Completion& c, std::size_t index) {
     const auto& type = c.catalogue.node_types().find("workstation")->second;
     auto& edge = c.network.nodes[index];

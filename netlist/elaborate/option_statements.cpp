@@ -20,8 +20,8 @@ std::shared_ptr<const SourceFile> source_of(const char* option, const std::strin
     throw StatementRefused{};
 }
 
-/// Reads `--set NAME=VALUE`. Stores errors in VALUE in SetStatement::problems, and does not report them yet, since
-/// VALUE may be a text without quotes.
+/// Reads `--set NAME=VALUE`. If VALUE has errors, they are stored in SetStatement::problems instead of being reported,
+/// since VALUE may be a text without quotes.
 SetStatement read_override(const std::string& name, const std::string& value, Reporter& reporter) {
     static constexpr const char* blanks = " \t";
     std::shared_ptr<const SourceFile> source = source_of("--set", name + "=" + value, reporter);

@@ -5,7 +5,8 @@
 
 namespace placedpar {
 
-/// Holds the options `--set NAME=VALUE` by NAME, with which a user changes values of a netlist. NAME is a constant
+/// The options `--set NAME=VALUE`, by which a user changes values of a netlist. The key of the map is NAME. NAME is a
+/// constant
 /// (`val`) outside of blocks, `PROCESS.PARAMETER`, or `ELEMENT.ATTRIBUTE`, where an element is a node, connection or
 /// process. NAME can also be an attribute or parameter alone, which is then set in every element that has it. VALUE is
 /// an expression.

@@ -40,7 +40,8 @@ std::string reason_not_writable(const Declaration& declaration) {
     return parameter && parameter->passing == Parameter::Passing::value ? "is a VAL parameter" : "";
 }
 
-/// Returns the name in an expression for a hint about a conversion; "(...)" if the expression is not a name.
+/// Returns the first name in an expression, for a hint about a conversion. Returns "(...)" if the expression contains
+/// neither a name nor an operation on a name.
 std::string short_text(const Expression& expression) {
     if (const auto* use = std::get_if<NameUse>(&expression.form))
         return use->name;
