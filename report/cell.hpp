@@ -13,7 +13,7 @@ namespace placedpar {
 enum class Origin {
     outcome,    ///< result of the simulation; no constant was fitted to the cell
     calibrated, ///< one constant was fitted to this cell
-    workload,   ///< the cell shows a cost of the simulated program, which the netlist states
+    workload,   ///< the netlist states a cost of the simulated program that was taken from this cell
     fitted,     ///< constants were fitted to several cells, including this cell
     constant    ///< the cell repeats a constant of the model; any difference is an error of PlacedPar
 };
