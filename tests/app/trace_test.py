@@ -195,14 +195,14 @@ class Traces(unittest.TestCase):
         self.assertTrue(all(begin <= a.left <= a.arrived <= end for a in part.arrows))
 
     def test_times_are_refused_where_they_are_none(self):
-        for text in ("1", "ms", "-1ms", "1 ms", "1m", "1e3", "1.ms", ".ms", "0x1us", "1ms2", "inf"):
+        for text in ("1", "ms", "1 ms", "1m", "1e3", "1.ms", ".ms", "0x1us", "1ms2", "inf"):
             for option in ("--trace-from", "--trace-until"):
                 run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"{option}={text}")
                 self.assertEqual(run.returncode, 1, text)
                 self.assertIn(f'"{text}" is not a time: expected a number and one of the units s, ms, us, ns or ps', run.stderr)
-        for text, why in (("0.5ps", "finer than a picosecond"), ("1.0000000000001s", "finer than a picosecond"),
+        for text, why in (("-1ms", "is negative"), ("0.5ps", "finer than a picosecond"), ("1.0000000000001s", "finer than a picosecond"),
                           ("9223373s", "lasts for 106 days"), ("99999999999999999999ps", "lasts for 106 days")):
-            run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", text)
+            run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", f"--trace-from={text}")
             self.assertEqual(run.returncode, 1, text)
             self.assertIn(why, run.stderr)
         run = placedpar("run", COMMSTIME, "--trace", self.folder / "t.json", "--trace-from", "3ms", "--trace-until", "2ms")
