@@ -2,20 +2,13 @@
 
 #include "gaprocs/policies/individual.hpp"
 #include "gaprocs/search.hpp"
+#include "gaprocs/search_observer.hpp"
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace placedpar {
-
-/// A generation in which the fittest individual of all generations so far changed.
-struct Improvement {
-    std::uint64_t generation = 0;
-    double fitness = 0;
-
-    friend bool operator==(const Improvement&, const Improvement&) = default;
-};
 
 /// The state from which a search process continues after a generation.
 struct SearchCheckpoint {

@@ -1,5 +1,6 @@
 #include "gaprocs/generation_log.hpp"
 
+#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/objective.hpp"
 #include "gaprocs/policies/individual.hpp"
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "gaprocs/checkpoints.hpp"
 #include "gaprocs/diversity.hpp"
 #include "gaprocs/search_observer.hpp"
 
@@ -14,6 +13,8 @@
 #include <vector>
 
 namespace placedpar {
+
+class Checkpoints; // gaprocs/checkpoints.hpp
 
 /// A generation of one search, or of all searches together. For a problem with an objective, the log has the values of
 /// the objective instead of the fitness. So if the objective is minimised, the best value is the least. An objective

@@ -17,6 +17,14 @@ namespace placedpar {
 
 class SearchProblem; // gaprocs/search_problem.hpp
 
+/// A generation in which the fittest individual of all generations so far changed.
+struct Improvement {
+    std::uint64_t generation = 0;
+    double fitness = 0;
+
+    friend bool operator==(const Improvement&, const Improvement&) = default;
+};
+
 /// An evaluated generation before it breeds. Its population includes the immigrants that were accepted before breeding.
 /// Immigrants that replace new offspring belong to the next generation.
 struct ObservedGeneration {
