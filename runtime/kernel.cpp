@@ -36,12 +36,6 @@ namespace {
         late == living.end() ? "give the link more speed, or send less" : "shorten its computation or delay")));
 }
 
-/// Moves a random number of processes from the front of the ready queue to its end, in runs with a random order.
-[[gnu::cold, gnu::noinline]] void put_off_some(ProcessQueue& ready, RandomStream& lots) {
-    while (!ready.empty() && lots.chance(0.5))
-        ready.push_back(*ready.pop_front());
-}
-
 } // namespace
 
 const char* name_of(Ending ending) {
@@ -127,6 +121,34 @@ void Kernel::tell_and_make_ready(Process& p) {
         enqueue(p);
 }
 
+/// Moves a random number of processes from the front of a queue to its end. REQUIRES: the run is shuffled.
+[[gnu::cold, gnu::noinline]] void Kernel::put_off_some(ProcessQueue& queue) {
+    while (!queue.empty() && shuffle_->chance(0.5))
+        queue.push_back(*queue.pop_front());
+}
+
+void Kernel::start(Process& p) {
+    if (current_ == this)
+        make_ready(p);
+    else
+        population_.starting.push_back(p);
+}
+
+/// Makes the processes ready that begin with the run.
+void Kernel::start_all() {
+    std::vector<Process*> starting;
+    while (Process* p = population_.starting.pop_front())
+        starting.push_back(p);
+    for (std::size_t left = starting.size(); shuffle_ && left > 1; --left)
+        std::swap(starting[left - 1], starting[shuffle_->below(static_cast<std::uint32_t>(left))]);
+    for (Process* p : starting)
+        p->executive_ ? p->executive_->make_ready(*p) : enqueue(*p);
+}
+
+std::size_t Kernel::choose_successor(std::size_t components) {
+    return shuffle_ ? shuffle_->below(static_cast<std::uint32_t>(components)) : components - 1;
+}
+
 inline bool Kernel::over() const {
     return hot_.rare_conditions.any_of(RareConditions::no_process_left | RareConditions::failed |
                                        RareConditions::at_the_limit | RareConditions::interrupted);
@@ -166,7 +188,7 @@ Process* Kernel::choose_next() {
             if (surroundings_)
                 look_around();
             if (shuffle_)
-                put_off_some(hot_.ready, *shuffle_);
+                put_off_some(hot_.ready);
         }
         if (Process* p = hot_.ready.pop_front()) {
             if (p->communication_ && begin_communication(*p))
@@ -401,6 +423,7 @@ Ending Kernel::run(Time limit, Observer observer) {
     StackOverflowWatch watch(who_overflowed);
     hot_.stack_in_use = &fibers_.host_stack;
     introduce_to_trace();
+    start_all();
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();

@@ -114,6 +114,19 @@ public:
         else
             enqueue(p);
     }
+    /// Makes a process ready at the beginning of the run. The processes begin in the order of these calls, unless the
+    /// run is shuffled. During the run, the function makes the process ready at once.
+    void start(Process& p);
+    /// Removes the next process from an executive's queue and returns it: the first one, or, in a shuffled run, a
+    /// random one. Returns null if the queue is empty. Executives call this.
+    Process* take_next(ProcessQueue& queue) {
+        if (hot_.rare_conditions.any_of(RareConditions::shuffled)) [[unlikely]]
+            put_off_some(queue);
+        return queue.pop_front();
+    }
+    /// Returns the index of the component that takes its parent's place on the executive when a PAR starts: the last
+    /// one, or, in a shuffled run, a random one. REQUIRES: components > 0.
+    std::size_t choose_successor(std::size_t components);
     /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
     /// Takes the running process off its executive, and runs other processes until this process is made ready again.
@@ -169,8 +182,9 @@ public:
     /// May be called from a Boost fiber. The thread's other fibers are not resumed during the run. Afterwards they are
     /// scheduled round robin, even if another algorithm was in use before.
     Ending run(Time limit, Observer);
-    /// Makes the run take ready processes in a random order, drawn from the seed. A correct program must work in every
-    /// order, so a shuffled run can reveal a fault. Executives still schedule their own processes as before.
+    /// Makes the run take ready processes in a random order, drawn from the seed: processes at the beginning of the
+    /// run, those that wait for an executive, and the components of a PAR. A correct program must work in every order,
+    /// so a shuffled run can reveal a fault. Priorities still hold.
     void shuffle(std::uint64_t seed) {
         shuffle_.emplace(seed, "ready queue");
         hot_.rare_conditions.set(RareConditions::shuffled);
@@ -212,6 +226,8 @@ private:
     ReplayLog* attend(const Process& running);
     void check_timeless_operations();
     void tell_and_make_ready(Process&);
+    void put_off_some(ProcessQueue&);
+    void start_all();
 
     void add(Process&);
     void remove(Process&);
@@ -261,6 +277,7 @@ private:
         std::vector<Process*> all;      ///< in any order
         std::size_t of_the_program = 0; ///< number of processes of the program that have not ended
         std::uint32_t next_ordinal = 0;
+        ProcessQueue starting; ///< processes that become ready at the beginning of the run
     };
     /// The fibers on which processes run.
     struct Fibers {

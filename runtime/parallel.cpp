@@ -4,6 +4,7 @@
 #include "runtime/kernel.hpp"
 #include "runtime/replay_log.hpp"
 
+#include <iterator>
 #include <list>
 #include <utility>
 
@@ -57,11 +58,12 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
             processes.back().keep(history->component());
     }
     join.first_ordinal = processes.front().ordinal();
-    Process& last = processes.back();
+    Process& successor =
+        *std::next(processes.begin(), static_cast<std::ptrdiff_t>(kernel.choose_successor(processes.size())));
     for (Process& process : processes)
-        if (&process != &last || !self.executive())
+        if (&process != &successor || !self.executive())
             kernel.make_ready(process);
-    self.wait_for_components(last, where);
+    self.wait_for_components(successor, where);
     if (history)
         history->components_have_ended();
 }

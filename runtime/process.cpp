@@ -156,12 +156,12 @@ bool Process::begin_communication() {
         note_end_of_wait();
 }
 
-void Process::wait_for_components(Process& last, const SourceLocation& where) {
+void Process::wait_for_components(Process& successor, const SourceLocation& where) {
     awaited_channel_ = nullptr;
     awaits_timer_ = false;
     where_ = where;
     note_wait(Activity::joining);
-    finish_wait(executive_ ? &last : nullptr);
+    finish_wait(executive_ ? &successor : nullptr);
 }
 
 std::optional<Time> Process::waits_since() const {

@@ -174,7 +174,7 @@ public:
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
     /// Waits for the components of the process's PAR. If the process has an executive, the last component takes the
     /// process's place on the executive. REQUIRES: with an executive, the last component has not been made ready.
-    void wait_for_components(Process& last, const SourceLocation&);
+    void wait_for_components(Process& successor, const SourceLocation&);
     /// Records a delay that needed no wait, because nothing else could happen in the meantime (Kernel::pass_time).
     /// REQUIRES: this process is running.
     void was_delayed(Time since, const SourceLocation&);

@@ -28,7 +28,7 @@ Simulation::~Simulation() {
 
 Process& Simulation::process(std::string name, Process::Body body, Executive* on, Priority priority) {
     Process& process = processes_.emplace_back(kernel_, std::move(name), std::move(body), on, priority);
-    kernel_.make_ready(process);
+    kernel_.start(process);
     return process;
 }
 

@@ -87,7 +87,9 @@ void require_measured(const StudySummary& summary, StudyResults& results) {
             figures = outcome.figures;
     });
     for (std::size_t i = 0; figures && i < summary.measures.size(); ++i)
-        if (std::ranges::none_of(summary.lines, [&](const StudyLine& line) { return line.cells[i].runs > 0; }))
+        if (std::ranges::none_of(summary.lines, [&](const StudyLine& line) {
+                return line.cells[i].runs > 0 || line.without.contains(summary.measures[i]);
+            }))
             throw UserError(there_is_no_measure(StudyMeasure{summary.measures[i]}, *figures));
 }
 

@@ -122,7 +122,9 @@ std::string print_figures(const NetlistComparison& compared) {
                        figures_b = figures_of(compared.report_b, compared.b);
     std::vector<FigureRow> rows;
     for (const auto& [name, figure] : figures_a)
-        if (auto other = figures_b.find(name); other != figures_b.end() && other->second.value != figure.value)
+        if (auto other = figures_b.find(name); other != figures_b.end() && std::isfinite(figure.value) &&
+                                               std::isfinite(other->second.value) &&
+                                               other->second.value != figure.value)
             rows.push_back(
                 {name + (figure.unit.empty() ? "" : " [" + figure.unit + "]"), figure.value, other->second.value});
     std::ranges::stable_sort(rows, std::greater(), &FigureRow::relative);

@@ -146,12 +146,18 @@ private:
     }
 
     void add_memory() {
-        if (std::ranges::any_of(network_.nodes,
-                                [](const Node& node) { return node.attributes.contains(memory_cycles); }))
-            changes_.push_back({Change::Of::all,
-                                "memory of all processors",
-                                "as fast as on the chip",
-                                {{memory_cycles, cycles_on_chip}}});
+        Change change{Change::Of::all, "memory of all processors", "as fast as on the chip", {}};
+        for (const Node& node : network_.nodes)
+            if (node.attributes.contains(memory_cycles))
+                change.set[key_of(node.name, memory_cycles, true)] = cycles_on_chip;
+        if (!change.set.empty())
+            changes_.push_back(std::move(change));
+    }
+
+    /// Returns the name in `--set` of an element's attribute or parameter. `by_all`: every element that has it gets the
+    /// same value, so a single setting without the element's name serves, unless a `val` has the attribute's name.
+    std::string key_of(const std::string& owner, const std::string& name, bool by_all) const {
+        return by_all && !vals_.contains(name) ? name : owner + "." + name;
     }
 
     static void set_speed(Change& change, const LinkConnection& wire, const Factor& factor) {
@@ -186,7 +192,8 @@ private:
     /// Adds the changes of all links: by one setting if all links are equally fast, otherwise by one for each link.
     void add_all_links() {
         const auto speed = wires().front().bits_per_second;
-        const bool same = std::ranges::all_of(wires(), [&](const auto& each) { return each.bits_per_second == speed; });
+        const bool same = !vals_.contains("linkspeed") &&
+                          std::ranges::all_of(wires(), [&](const auto& each) { return each.bits_per_second == speed; });
         for (const Factor& factor : factors) {
             Change change{Change::Of::all, "all links", factor.faster, {}};
             if (same)
@@ -261,7 +268,7 @@ private:
             Change change{Change::Of::alone, "what " + process.name + " computes", factor.less, {}};
             for (const auto& [name, value] : process.parameters)
                 if (auto cost = cost_of(name, value); cost && name.find("cycles") != std::string::npos)
-                    change.set[process.name + "." + name] = less(*cost, factor);
+                    set_less(change, process.name + "." + name, *cost, factor);
             if (!change.set.empty())
                 changes_.push_back(std::move(change));
         }
@@ -286,14 +293,34 @@ private:
                 add_process(process);
     }
 
-    /// The value of a constant for each node or process that has the constant.
-    using Costs = std::map<std::string, std::int64_t>;
+    /// Adds the setting of a reduced constant, unless rounding cancels the reduction, such as a tenth less than 4
+    /// cycles.
+    static void set_less(Change& change, const std::string& key, std::int64_t cost, const Factor& factor) {
+        if (std::string lesser = less(cost, factor); lesser != std::to_string(cost))
+            change.set[key] = lesser;
+    }
+
+    /// A constant: its value for each node or process in which it costs time, and the number of nodes and processes
+    /// that have it with any value.
+    struct Costs {
+        std::map<std::string, std::int64_t> by_owner;
+        std::size_t owners = 0;
+
+        /// Returns whether it has the same value wherever it occurs.
+        bool is_equal_everywhere() const {
+            return owners == by_owner.size() && std::ranges::all_of(by_owner, [this](const auto& each) {
+                       return each.second == by_owner.begin()->second;
+                   });
+        }
+    };
 
     template <class Map>
     static void note_costs(const std::string& owner, const Map& values, std::map<std::string, Costs>& costs) {
-        for (const auto& [name, value] : values)
+        for (const auto& [name, value] : values) {
+            ++costs[name].owners;
             if (auto cost = cost_of(name, value))
-                costs[name][owner] = *cost;
+                costs[name].by_owner[owner] = *cost;
+        }
     }
 
     void add_constants() {
@@ -308,15 +335,12 @@ private:
     }
 
     /// Adds the change of a constant. If the constant is equal everywhere, one setting changes all values; otherwise
-    /// each node or process gets its own setting. Leaves out a reduction that rounding cancels, such as a tenth less
-    /// than 4 cycles.
+    /// each node or process gets its own setting.
     void add_constant(const std::string& name, const Costs& costs, const Factor& factor) {
-        const std::int64_t one = costs.begin()->second;
-        const bool same = std::ranges::all_of(costs, [one](const auto& cost) { return cost.second == one; });
+        const bool same = costs.is_equal_everywhere();
         Change change{Change::Of::constant, name, factor.less, {}};
-        for (const auto& [owner, cost] : costs)
-            if (std::string lesser = less(cost, factor); lesser != std::to_string(cost))
-                change.set[same ? name : owner + "." + name] = lesser;
+        for (const auto& [owner, cost] : costs.by_owner)
+            set_less(change, key_of(owner, name, same), cost, factor);
         if (!change.set.empty())
             changes_.push_back(std::move(change));
     }
@@ -330,7 +354,7 @@ private:
 
     void add_vals() {
         constexpr std::size_t most_digits = 9;
-        for (const auto& [name, expression] : stated_vals(network_)) {
+        for (const auto& [name, expression] : vals_) {
             const auto value = parse_number<std::int64_t>(expression);
             if (!value || expression.size() > most_digits)
                 continue;
@@ -345,6 +369,7 @@ private:
     const RunReport& report_;
     const DeclaredWith& declared_;
     const Declared now_;
+    const std::map<std::string, std::string> vals_ = stated_vals(network_);
     const std::size_t most_alone_ = network_.nodes.size() > most_nodes_in_full ? most_alone_of_many : most_alone;
     std::vector<Change> changes_;
     std::set<std::set<std::size_t>> clocks_known_;

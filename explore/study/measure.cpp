@@ -29,8 +29,7 @@ namespace {
 constexpr double picoseconds_in_ms = 1e9;
 
 void add_figure(StudyFigures& figures, const std::string& name, double value, const std::string& unit = "") {
-    if (std::isfinite(value))
-        figures[name] = {value, unit};
+    figures[name] = {std::isfinite(value) ? value : std::nan(""), unit};
 }
 
 /// Returns the name of the figure without subscripts: "t.busy" for "t[0][1].busy".
@@ -126,7 +125,8 @@ boost::json::value read_kept_json(const std::string& text) {
 std::string figures_text(const StudyFigures& figures) {
     boost::json::object json;
     for (const auto& [name, figure] : figures)
-        json[name] = boost::json::array{figure.value, figure.unit};
+        json[name] = boost::json::array{
+            std::isnan(figure.value) ? boost::json::value() : boost::json::value(figure.value), figure.unit};
     return boost::json::serialize(json);
 }
 
@@ -137,9 +137,10 @@ StudyFigures figures_from(const std::string& text) {
     std::size_t number = 0;
     for (const auto& [name, value] : json.as_object()) {
         const boost::json::array& figure = value.as_array();
-        if (figure.size() != 2 || !figure[0].is_number())
+        if (figure.size() != 2 || (!figure[0].is_number() && !figure[0].is_null()))
             throw std::out_of_range("a figure lacks its number or unit");
-        figures[std::string(name)] = {numbers.at(number++), std::string(figure[1].as_string())};
+        const double number_or_none = figure[0].is_null() ? std::nan("") : numbers.at(number++);
+        figures[std::string(name)] = {number_or_none, std::string(figure[1].as_string())};
     }
     if (number != numbers.size())
         throw std::out_of_range("a figure occurs twice");
@@ -168,15 +169,24 @@ bool StudyMeasure::matches(const std::string& figure) const {
     return figure == name_ || name_of_array(figure) == name_;
 }
 
+bool StudyMeasure::is_in(const StudyFigures& figures) const {
+    return std::ranges::any_of(figures, [this](const auto& each) { return matches(each.first); });
+}
+
 std::optional<StudyFigure> StudyMeasure::of(const StudyFigures& figures) const {
     std::vector<double> values;
     std::string unit;
+    bool all_are_numbers = true;
     for (const auto& [name, figure] : figures)
         if (matches(name)) {
-            values.push_back(figure.value);
             unit = figure.unit;
+            if (std::isnan(figure.value))
+                all_are_numbers = false;
+            else
+                values.push_back(figure.value);
         }
-    if (values.empty())
+    const bool needs_all = way_ == Aggregate::mean || way_ == Aggregate::sum;
+    if (values.empty() || (needs_all && !all_are_numbers))
         return std::nullopt;
     double sum = 0;
     for (double value : values)
@@ -198,6 +208,8 @@ std::string StudyMeasure::last_name() const {
 }
 
 std::string there_is_no_measure(const StudyMeasure& measure, const StudyFigures& figures) {
+    if (measure.is_in(figures))
+        return fmt::format("a run measured no number as \"{}\"", measure.text());
     if (std::string about = not_come_to(measure, figures); !about.empty())
         return fmt::format("no run measured \"{}\": {}", measure.text(), about);
     std::set<std::string> names;

@@ -20,7 +20,7 @@ struct ProcessInstance;        // netlist/network/network.hpp
 struct RunReport;              // netlist/run_report.hpp
 
 struct StudyFigure {
-    double value = 0;
+    double value = 0; ///< NaN if the process measured no number: a best individual that violates a constraint has none
     std::string unit;
 };
 
@@ -46,8 +46,11 @@ public:
     explicit StudyMeasure(const std::string& text);
 
     const std::string& text() const { return text_; }
-    /// Returns the measure of a run; nothing if the run has no such figure.
+    /// Returns the measure of a run; nothing if the run has no such figure, or if the figure is no number. A mean or a
+    /// sum is no number if one of its figures is none; a least or greatest figure is taken of the numbers.
     std::optional<StudyFigure> of(const StudyFigures&) const;
+    /// Returns whether the run has the figure, be it a number or not.
+    bool is_in(const StudyFigures&) const;
 
     /// Returns the name of the measured quantity: "master.T_exe" for "max(master[0].T_exe)".
     std::string name_without_subscripts() const;
@@ -62,9 +65,9 @@ private:
     Aggregate way_ = Aggregate::mean;
 };
 
-/// Returns a sentence about a measure that a run does not have. If the kind of the process has this measurement, the
-/// sentence describes the measurement, which the process did not make in this run. Otherwise the sentence suggests a
-/// similar name, or lists all measures of the run.
+/// Returns a sentence about a measure that a run does not have, or for which it has no number. If the kind of the
+/// process has this measurement, the sentence describes the measurement, which the process did not make in this run.
+/// Otherwise the sentence suggests a similar name, or lists all measures of the run.
 std::string there_is_no_measure(const StudyMeasure&, const StudyFigures&);
 
 /// The measures that runs of these networks may have, as far as the netlists show, including measures that only some

@@ -78,7 +78,15 @@ private:
 struct Gathered {
     StudyLine line;
     void add(std::uint64_t seed, const StudyOutcome&, const Measured&, std::vector<std::string>& units);
+    void count_without(const StudyOutcome&, const std::vector<StudyMeasure>&);
 };
+
+/// Counts the measures for which the run has no number.
+void Gathered::count_without(const StudyOutcome& outcome, const std::vector<StudyMeasure>& measures) {
+    for (const StudyMeasure& each : measures)
+        if (outcome.has_figures() && each.is_in(outcome.figures) && !each.of(outcome.figures))
+            ++line.without[each.text()];
+}
 
 void Gathered::add(std::uint64_t seed, const StudyOutcome& outcome, const Measured& figures,
                    std::vector<std::string>& units) {
@@ -205,9 +213,11 @@ StudySummary summary_of(StudyResults& results, std::vector<std::string> measures
     const StudySettings settings = of_study ? StudySettings(study->products) : StudySettings();
     std::map<Overrides, Gathered> all;
     spellings.for_each([&](const StudyRun& run, const StudyOutcome& outcome) {
-        if (!of_study || settings.has(run.set))
-            all[run.set].add(run.seed, outcome, references.relative(run, outcome, measured(outcome, wanted)),
-                             summary.units);
+        if (of_study && !settings.has(run.set))
+            return;
+        Gathered& gathered = all[run.set];
+        gathered.add(run.seed, outcome, references.relative(run, outcome, measured(outcome, wanted)), summary.units);
+        gathered.count_without(outcome, wanted);
     });
     summary.unrelated = references.without();
     add_names(summary, all);

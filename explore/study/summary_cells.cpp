@@ -31,6 +31,8 @@ std::string ended_of(const StudyLine& line) {
     std::vector<std::string> parts;
     for (const auto& [ended, runs] : line.ended)
         parts.push_back(runs == line.runs ? ended : fmt::format("{} {}", runs, ended));
+    for (const auto& [measure, runs] : line.without)
+        parts.push_back(fmt::format("{} without {}", runs, measure));
     std::string out = fmt::format("{}", fmt::join(parts, ", "));
     return line.refused.empty() ? out : out + ": " + line.refused;
 }

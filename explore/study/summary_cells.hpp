@@ -14,7 +14,8 @@ namespace placedpar {
 std::string shown_mean(const StudyCell&);
 /// Returns the confidence interval of the mean as "± 0.05"; "" for a single run.
 std::string shown_interval(const StudyCell&);
-/// Returns how the runs of a line ended, such as "3 deadlock, 2 refused: why"; "" if all completed.
+/// Returns how the runs of a line ended, and how many measured no number, such as "3 deadlock, 2 refused: why" or
+/// "5 without island.best"; "" if all completed with all figures.
 std::string ended_of(const StudyLine&);
 /// Returns the heading of a measure, such as "master.T_exe [ms]"; "relative master.T_exe" if there are reference runs.
 /// If a setting has the name of the measure, "measured" follows the name: "links measured".

@@ -299,7 +299,7 @@ void StudySweep::try_measures(Interruption& interruption) {
             return;
         if (auto found = figures_near(from, forwards, interruption)) {
             figures = std::move(found);
-            std::erase_if(missing, [&](const StudyMeasure& each) { return each.of(*figures).has_value(); });
+            std::erase_if(missing, [&](const StudyMeasure& each) { return each.is_in(*figures); });
         }
     }
     if (figures && !missing.empty() && !interruption.requested())

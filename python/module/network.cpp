@@ -98,7 +98,8 @@ private:
     std::vector<Slice> slices_;
 };
 
-/// Returns the named measures of a run. A measure that this run does not have is None. Throws UserError if runs of this
+/// Returns the named measures of a run. A measure that this run does not have, or that is no number, is
+/// None. Throws UserError if runs of this
 /// network cannot have the measure.
 py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const std::vector<std::string>& measures) {
     const StudyFigures figures = figures_of(run.report, network.network());
@@ -106,7 +107,7 @@ py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const 
     for (const std::string& text : measures) {
         const StudyMeasure measure(text);
         const auto figure = measure.of(figures);
-        if (!figure && run.report.outcome() == RunOutcome::completed)
+        if (!measure.is_in(figures) && run.report.outcome() == RunOutcome::completed)
             throw UserError(there_is_no_measure(measure, figures));
         found.append(figure ? py::cast(figure->value) : py::none());
     }

@@ -103,7 +103,7 @@ Time ComputerCore::time_to_start() const {
 void ComputerCore::take_next() {
     current_ = turns_.next(woken_, !ready_.empty());
     if (!current_)
-        current_ = ready_.pop_front();
+        current_ = kernel_.take_next(ready_);
     if (!current_)
         return;
     if (const Time start = time_to_start(); start > Time{})

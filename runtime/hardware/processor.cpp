@@ -130,11 +130,11 @@ void Processor::switch_to(Process& next) {
 void Processor::dispatch() {
     if (halted())
         return;
-    if (Process* p = high_.pop_front()) {
+    if (Process* p = kernel_.take_next(high_)) {
         switch_to(*p);
     } else if (preempted_) {
         current_ = std::exchange(preempted_, nullptr);
-    } else if (Process* waiting = low_.pop_front()) {
+    } else if (Process* waiting = kernel_.take_next(low_)) {
         switch_to(*waiting);
         dispatched_at_ = kernel_.now();
     } else {
@@ -259,7 +259,7 @@ void Processor::preempt() {
     if (turn_.scheduled())
         stop_turn();
     preempted_ = std::exchange(current_, nullptr);
-    Process* high = high_.pop_front();
+    Process* high = kernel_.take_next(high_);
     Time rest = work_left(*preempted_) % duration(grain(*preempted_).instruction); // rest of the current instruction
     work_left(*preempted_) -= rest;
     work_left(*high) = later(work_left(*high), rest + duration(instructions::preemption));

@@ -31,7 +31,7 @@ Router::Port::Port(Router& router, const std::string& to, const std::string& fro
                 router.executive_, router.costs_.priority) {
     for (Process* process : {&sender_, &receiver_}) {
         process->serve_machine();
-        router.kernel_.make_ready(*process);
+        router.kernel_.start(*process);
     }
 }
 

@@ -57,9 +57,9 @@ void Workstation::leave(Process&, Process* successor) {
 }
 
 void Workstation::take_next() {
-    current_ = high_.pop_front();
+    current_ = kernel_.take_next(high_);
     if (!current_)
-        current_ = low_.pop_front();
+        current_ = kernel_.take_next(low_);
     if (current_)
         kernel_.enqueue(*current_);
 }

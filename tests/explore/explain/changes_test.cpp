@@ -165,3 +165,32 @@ TEST_CASE("the only link is varied if a program sets its switch during the run")
     const std::string text = std::string(one_wire_through_switch) + "connect a.link[1] to sw.config;";
     CHECK(speeds_after(text, "all links").back() == 40'000'000);
 }
+
+namespace {
+
+/// Two producers on one processor: the first computes, the second does not.
+constexpr const char* one_computes =
+    "T800 a; process p[2]; process c[2]; use \"csp.producer\" for p; use \"csp.consumer\" for c;\n"
+    "p (count = 20); c (count = 20); p[0] (cycles = 20000); rep i = 0 for 2 { place p[i] on a; place c[i] on a; "
+    "connect p[i].out to c[i].in; }\n";
+
+} // namespace
+
+TEST_CASE("a smaller constant leaves alone the processes that have the constant with another value") {
+    const std::vector<Change> changes = changes_of_text(one_computes);
+    const Change* half = find_change(changes, "cycles", "half");
+    REQUIRE(half);
+    CHECK(half->set == Overrides{{"p[0].cycles", "10000"}});
+}
+
+TEST_CASE("a change sets parameters and attributes, not a val of the same name") {
+    const std::string vals = "val cycles 7; val linkspeed 10M; val memorycycles 3;\n";
+    const std::vector<Change> changes = changes_of_text(vals + two_processors);
+    REQUIRE(find_change(changes, "cycles", "half"));
+    REQUIRE(find_change(changes, "all links", "twice as fast") == nullptr); // the only link is varied alone
+    for (const Change& each : changes)
+        for (const auto& [name, value] : each.set) {
+            CAPTURE(name);
+            CHECK(name.find('.') != name.npos);
+        }
+}

@@ -11,6 +11,7 @@
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
@@ -55,8 +56,9 @@ PossibleMeasures of_a_farm() {
 
 TEST_CASE("a run's figures are its time, the size of its machine, numeric measurements and the load of processors") {
     const StudyFigures figures = figures_of(quarter_busy(), Network());
-    CHECK(names_in(figures) ==
-          std::vector<std::string>{"links", "master.rate", "processors", "t[0].busy", "t[1].busy", "time"});
+    CHECK(names_in(figures) == std::vector<std::string>{"links", "master.error", "master.rate", "processors",
+                                                        "t[0].busy", "t[1].busy", "time"});
+    CHECK(std::isnan(figures.at("master.error").value)); // infinity is no figure
     CHECK(figures.at("time").value == 10);
     CHECK(figures.at("time").unit == "ms");
     CHECK(figures.at("processors").value == 2);
@@ -64,6 +66,28 @@ TEST_CASE("a run's figures are its time, the size of its machine, numeric measur
     CHECK(figures.at("t[0].busy").value == 25);
     CHECK(figures.at("t[0].busy").unit == "%");
     CHECK(StudyMeasure("t.busy").of(figures)->value == 12.5);
+}
+
+TEST_CASE("the mean and the sum over processes are missing if one process has no number, the extremes are not") {
+    const StudyFigures islands{{"island[0].best", {3, ""}}, {"island[1].best", {std::nan(""), ""}}};
+    for (const char* all : {"island.best", "mean(island.best)", "sum(island.best)", "island[1].best"}) {
+        CHECK_FALSE_MESSAGE(StudyMeasure(all).of(islands), all);
+        CHECK_MESSAGE(StudyMeasure(all).is_in(islands), all);
+    }
+    CHECK(StudyMeasure("island[0].best").of(islands)->value == 3);
+    CHECK(StudyMeasure("min(island.best)").of(islands)->value == 3);
+    CHECK(StudyMeasure("max(island.best)").of(islands)->value == 3);
+    CHECK_FALSE(StudyMeasure("island.worst").is_in(islands));
+    CHECK(there_is_no_measure(StudyMeasure("island.best"), islands) == "a run measured no number as \"island.best\"");
+}
+
+TEST_CASE("a figure that is no number is stored as such") {
+    const StudyFigures read =
+        figures_from(figures_text({{"a", {1.5, "ms"}}, {"b", {std::nan(""), "s"}}, {"c", {2, ""}}}));
+    CHECK(read.at("a").value == 1.5);
+    CHECK(std::isnan(read.at("b").value));
+    CHECK(read.at("b").unit == "s");
+    CHECK(read.at("c").value == 2);
 }
 
 TEST_CASE("after a deadlock no load of processors is reported") {
@@ -107,7 +131,8 @@ TEST_CASE("a measure that a run lacks is refused with the nearest name, or with 
     CHECK(there_is_no_measure(StudyMeasure("master.rates"), figures) ==
           "unknown measure \"master.rates\"; did you mean \"master.rate\"?");
     CHECK(there_is_no_measure(StudyMeasure("wall clock"), figures) ==
-          "unknown measure \"wall clock\"; the runs have the measures links, master.rate, processors, t.busy, time");
+          "unknown measure \"wall clock\"; the runs have the measures links, master.error, master.rate, processors, "
+          "t.busy, time");
 }
 
 TEST_CASE("if runs ended before a measurement, the message describes the measure") {

@@ -82,6 +82,17 @@ TEST_CASE("runs that did not complete are counted by how they ended, and a deadl
     CHECK(has_intervals(summary));
 }
 
+TEST_CASE("completed runs that measured no number are counted, and are not part of the mean") {
+    StudyResults results(StudySource{});
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+        results.keep({{{"slaves", "1"}}, seed},
+                     {.ended = "completed", .figures = {{"island.best", {seed == 2 ? std::nan("") : 4, ""}}}});
+    const StudySummary summary = summary_of(results, {"island.best"});
+    CHECK(summary.lines[0].cells[0].runs == 2);
+    CHECK(summary.lines[0].cells[0].mean == 4);
+    CHECK(ended_of(summary.lines[0]) == "1 without island.best");
+}
+
 TEST_CASE("a relative figure is the ratio of two figures of the same seed") {
     StudyResults results(StudySource{});
     const StudySummary summary =
