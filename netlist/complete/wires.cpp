@@ -34,18 +34,25 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
     return places;
 }
 
-/// Returns whether a thing of the netlist, or an array of things, is named "wire".
-bool is_wire_taken(const Draft& draft) {
-    const auto taken = [](const auto& things) {
-        return std::ranges::any_of(things, [](const auto& each) { return base_name(each.name) == "wire"; });
+/// Returns the name of the array of wires without a name: "wire", or, if the netlist has things of this name, the first
+/// of "wire_2", "wire_3" and so on that it does not have. This is the rule of Elaborator::claim_name().
+std::string name_of_unnamed_wires(const Draft& draft) {
+    std::set<std::string_view> taken;
+    const auto take = [&taken](const auto& things) {
+        for (const auto& each : things)
+            taken.insert(base_name(each.name));
     };
-    return taken(draft.nodes) || taken(draft.connections) || taken(draft.processes) || taken(draft.edge_channels);
+    take(draft.nodes), take(draft.connections), take(draft.processes), take(draft.edge_channels);
+    std::string name = "wire";
+    for (int number = 2; taken.contains(name); ++number)
+        name = fmt::format("wire_{}", number);
+    return name;
 }
 
 /// Returns the name by which the option --set refers to each wire. Elaborator::name_wires() gives these names to wires
 /// that the netlist does not name.
 std::vector<std::string> names_for_set(const Draft& draft) {
-    const char* base = is_wire_taken(draft) ? "wire_2" : "wire";
+    const std::string base = name_of_unnamed_wires(draft);
     std::vector<std::string> names;
     std::size_t without_name = 0;
     for (const DraftWire& wire : draft.wires)

@@ -194,3 +194,21 @@ TEST_CASE("a change sets parameters and attributes, not a val of the same name")
             CHECK(name.find('.') != name.npos);
         }
 }
+
+TEST_CASE("wires without a name are varied although elements are named wire and wire_2") {
+    const std::string text =
+        "T800 wire[3]; T800 wire_2; connect wire[0].link[0] to wire[1].link[0]; "
+        "connect wire[1].link[1] to wire_2.link[0];\n"
+        "process p, c; use \"csp.producer\" for p; use \"csp.consumer\" for c; p (count = 2); c (count = 2);\n"
+        "place p on wire[0]; place c on wire[1]; connect p.out to c.in;";
+    const Network network = network_with(text);
+    REQUIRE(network.connections.size() >= 2);
+    CHECK(network.connections[1].names_for_set == std::vector<std::string>{"wire_3[1]"});
+    const std::vector<Change> changes = changes_of_text(text);
+    const Change* faster = find_change(changes, "link wire[0].link[0] - wire[1].link[0]", "twice as fast");
+    REQUIRE(faster);
+    ReadResult result = read_netlist_text(text, all_kinds(), faster->set);
+    CAPTURE(render(result));
+    REQUIRE(result.network);
+    CHECK(result.network->connections[0].bits_per_second == 40'000'000);
+}
