@@ -145,10 +145,6 @@ void Kernel::start_all() {
         p->executive_ ? p->executive_->make_ready(*p) : enqueue(*p);
 }
 
-std::size_t Kernel::choose_successor(std::size_t components) {
-    return shuffle_ ? shuffle_->below(static_cast<std::uint32_t>(components)) : components - 1;
-}
-
 inline bool Kernel::over() const {
     return hot_.rare_conditions.any_of(RareConditions::no_process_left | RareConditions::failed |
                                        RareConditions::at_the_limit | RareConditions::interrupted);

@@ -124,9 +124,8 @@ public:
             put_off_some(queue);
         return queue.pop_front();
     }
-    /// Returns the index of the component that takes its parent's place on the executive when a PAR starts: the last
-    /// one, or, in a shuffled run, a random one. REQUIRES: components > 0.
-    std::size_t choose_successor(std::size_t components);
+    /// Returns the random numbers of a shuffled run; null if the run is not shuffled.
+    RandomStream* lots() { return shuffle_ ? &*shuffle_ : nullptr; }
     /// Puts the process at the back of the ready queue. Only executives call this; all others call make_ready().
     void enqueue(Process& p) { hot_.ready.push_back(p); }
     /// Takes the running process off its executive, and runs other processes until this process is made ready again.

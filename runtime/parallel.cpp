@@ -4,9 +4,9 @@
 #include "runtime/kernel.hpp"
 #include "runtime/replay_log.hpp"
 
-#include <iterator>
 #include <list>
 #include <utility>
+#include <vector>
 
 namespace placedpar {
 
@@ -39,6 +39,17 @@ Process::Body with_end(const Process& parent, Process::Body body) {
     };
 }
 
+/// Returns the component that takes the parent's place on the executive: the last one, or, in a shuffled run, a random
+/// one of the parent's priority.
+Process& successor_among(std::list<Process>& components, const Process& parent) {
+    RandomStream* const lots = parent.kernel().lots();
+    std::vector<Process*> equals;
+    for (Process& each : components)
+        if (lots && each.priority() == parent.priority())
+            equals.push_back(&each);
+    return equals.empty() ? components.back() : *equals[lots->below(static_cast<std::uint32_t>(equals.size()))];
+}
+
 } // namespace
 
 void run_in_parallel(std::vector<Component> components, const SourceLocation& where) {
@@ -58,8 +69,7 @@ void run_in_parallel(std::vector<Component> components, const SourceLocation& wh
             processes.back().keep(history->component());
     }
     join.first_ordinal = processes.front().ordinal();
-    Process& successor =
-        *std::next(processes.begin(), static_cast<std::ptrdiff_t>(kernel.choose_successor(processes.size())));
+    Process& successor = successor_among(processes, self);
     for (Process& process : processes)
         if (&process != &successor || !self.executive())
             kernel.make_ready(process);

@@ -172,8 +172,8 @@ public:
     /// Notes that the process waits from now on, until it is made ready. Only for Communication::begin. The activity,
     /// the channel and the place appear in reports.
     void begin_wait(Activity, const AnyChannel*, const SourceLocation&);
-    /// Waits for the components of the process's PAR. If the process has an executive, the last component takes the
-    /// process's place on the executive. REQUIRES: with an executive, the last component has not been made ready.
+    /// Waits for the components of the process's PAR. If the process has an executive, the successor, one of the
+    /// components, takes the process's place on the executive, and must not have been made ready.
     void wait_for_components(Process& successor, const SourceLocation&);
     /// Records a delay that needed no wait, because nothing else could happen in the meantime (Kernel::pass_time).
     /// REQUIRES: this process is running.
