@@ -35,11 +35,11 @@ struct StudiedRun {
 struct StudyLine {
     std::vector<std::string> values; ///< values of the axes; "" for an axis that this combination does not set
     std::uint64_t runs = 0;          ///< number of all runs
-    std::map<std::string, std::uint64_t> ended;   ///< number of runs that did not complete, by how they ended
-    std::map<std::string, std::uint64_t> without; ///< number of completed runs that measured no number, by measure
-    std::string refused = "";                     ///< first line of the reason for a refusal
-    std::vector<StudyCell> cells;                 ///< one for each measure
-    std::vector<StudiedRun> each = {};            ///< all runs, by seed
+    std::map<std::string, std::uint64_t> ended;        ///< number of runs that did not complete, by how they ended
+    std::map<std::string, std::uint64_t> without = {}; ///< number of completed runs that measured no number, by measure
+    std::string refused = "";                          ///< first line of the reason for a refusal
+    std::vector<StudyCell> cells;                      ///< one for each measure
+    std::vector<StudiedRun> each = {};                 ///< all runs, by seed
 };
 
 /// The statistics of a study's runs.
