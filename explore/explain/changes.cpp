@@ -99,10 +99,18 @@ public:
             std::erase_if(changes_, [](const Change& each) {
                 return is_extreme(each, factors.front()) || is_extreme(each, factors.back());
             });
+        leave_out_repeated();
         return std::move(changes_);
     }
 
 private:
+    /// Leaves out changes that set the same as an earlier one: a constant that only one process has is also what this
+    /// process computes.
+    void leave_out_repeated() {
+        std::set<Overrides> known;
+        std::erase_if(changes_, [&known](const Change& each) { return !known.insert(each.set).second; });
+    }
+
     void add_clocks(Change::Of of, const std::string& what, const std::set<std::size_t>& nodes) {
         if (nodes.empty() || !clocks_known_.insert(nodes).second)
             return;
