@@ -36,13 +36,14 @@ std::map<Socket, std::size_t> by_end(const std::vector<DraftWire>& wires) {
 
 /// Returns the name of the array of wires without a name: "wire", or, if the netlist has things of this name, the first
 /// of "wire_2", "wire_3" and so on that it does not have. This is the rule of Elaborator::claim_name().
-std::string name_of_unnamed_wires(const Draft& draft) {
+std::string name_of_unnamed_wires(const Completion& completion) {
+    const Draft& draft = completion.draft;
     std::set<std::string_view> taken;
     const auto take = [&taken](const auto& things) {
         for (const auto& each : things)
             taken.insert(base_name(each.name));
     };
-    take(draft.nodes), take(draft.connections), take(draft.processes), take(draft.edge_channels);
+    take(completion.network.nodes), take(draft.connections), take(draft.processes), take(draft.edge_channels);
     std::string name = "wire";
     for (int number = 2; taken.contains(name); ++number)
         name = fmt::format("wire_{}", number);
@@ -51,8 +52,9 @@ std::string name_of_unnamed_wires(const Draft& draft) {
 
 /// Returns the name by which the option --set refers to each wire. Elaborator::name_wires() gives these names to wires
 /// that the netlist does not name.
-std::vector<std::string> names_for_set(const Draft& draft) {
-    const std::string base = name_of_unnamed_wires(draft);
+std::vector<std::string> names_for_set(const Completion& completion) {
+    const Draft& draft = completion.draft;
+    const std::string base = name_of_unnamed_wires(completion);
     std::vector<std::string> names;
     std::size_t without_name = 0;
     for (const DraftWire& wire : draft.wires)
@@ -67,7 +69,7 @@ class Wiring {
 public:
     explicit Wiring(Completion& completion)
         : c_(completion), wire_at_(by_end(c_.draft.wires)), crosspoints_at_(all_by_end(c_.draft.crosspoints)),
-          names_for_set_(names_for_set(c_.draft)) {}
+          names_for_set_(names_for_set(c_)) {}
 
     void run() {
         for (std::size_t i = 0; i < c_.draft.wires.size(); ++i)
