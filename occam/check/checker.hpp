@@ -128,6 +128,7 @@ private:
     void add_tags(ProtocolType&, Protocol&);
     void add_tag(ProtocolType&, ProtocolTag, const Place&);
     const ProtocolType* shared_protocol(const Declaration&, ProtocolType);
+    void require_whole_words(const Declaration&, const Type& record);
     const Type* record_type(const Declaration&, DataType&);
 
     // Expressions (expressions.cpp)

@@ -1,6 +1,8 @@
 #include "occam/check/checker.hpp"
 #include "occam/check/constant.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -197,6 +199,13 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
             report(field.at, "a field of a record cannot be " + name_of(*type), "");
         const std::uint32_t multiple = text.is_packed ? 1 : alignment_of(*type);
         offset = (offset + multiple - 1) / multiple * multiple;
+        if (const std::uint32_t needed = word_alignment_of(*type); offset % needed != 0)
+            report(
+                field.at,
+                fmt::format("the field \"{}\" begins at byte {} of the packed record, but {} must begin at a multiple "
+                            "of {}",
+                            field.name, offset, name_of(*type), needed),
+                fmt::format("put a field of {} bytes before it, or the longer fields first", needed - offset % needed));
         fields.push_back({field.name, type, offset});
         const std::uint64_t end = offset + bytes_of(*type);
         if (end > most_array_bytes) {
@@ -205,7 +214,20 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
         }
         offset = static_cast<std::uint32_t>(end);
     }
-    return types_.record(&declaration, std::move(fields));
+    const Type* const record = types_.record(&declaration, std::move(fields));
+    require_whole_words(declaration, *record);
+    return record;
+}
+
+/// Reports a packed record of words whose size is not a whole number of words, because in an array of such records the
+/// words would not be aligned.
+void Checker::require_whole_words(const Declaration& declaration, const Type& record) {
+    const std::uint64_t bytes = bytes_of(record), needed = word_alignment_of(record);
+    if (bytes % needed != 0)
+        report(declaration.at,
+               fmt::format("the packed record \"{}\" has {} bytes, but a record with words must have a multiple of {}",
+                           declaration.name, bytes, needed),
+               fmt::format("add a field [{}]BYTE at its end", needed - bytes % needed));
 }
 
 } // namespace placedpar::occam

@@ -55,6 +55,7 @@ void Generator::transfer(Operation operation, const Storage& location, const Exp
 
 void Generator::input(const Input& i) {
     if (i.channel.type->kind == Type::Kind::timer) {
+        check_timer(i.channel);
         op(Operation::ldtimer);
         return store_top(i.items.front().value);
     }
@@ -274,7 +275,24 @@ void Generator::variant(const Expression& on, const Variant& v) {
         process(*v.process);
 }
 
+/// Generates the checks of the subscripts in an array of timers. A transputer has one clock, so nothing else of a timer
+/// needs code.
+void Generator::check_timer(const Expression& timer) {
+    const auto* subscript = std::get_if<Subscript>(&timer.form);
+    if (!subscript)
+        return;
+    check_timer(*subscript->array);
+    const Type& array = plain(*subscript->array->type);
+    if (array.count && !constant_of(*subscript->index)) {
+        expression(*subscript->index);
+        check_index({*array.count}, *subscript->index);
+        settle();
+        stack_ = 0;
+    }
+}
+
 void Generator::delay(const Delay& d) {
+    check_timer(d.timer);
     expression(d.time);
     settle();
     op(Operation::tin);

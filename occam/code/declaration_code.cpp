@@ -10,6 +10,11 @@ using transputer::Operation;
 
 void Generator::declare(const Declaration& d) {
     const Placed placed(emitter_, d.start);
+    declare_here(d);
+    settle(); // also if the name is never used
+}
+
+void Generator::declare_here(const Declaration& d) {
     if (const auto* variable = std::get_if<Variable>(&d.form))
         return declare_variable(d, *variable);
     if (const auto* abbreviation = std::get_if<Abbreviation>(&d.form))
@@ -168,6 +173,38 @@ void Generator::abbreviate(const Declaration& d, const Expression& value, bool i
     }
 }
 
+/// Returns whether the address of a location is certainly a multiple of 4.
+bool Generator::is_aligned(const Storage& location) {
+    if (word_alignment_of(*location.type) > 1)
+        return true; // such values are always aligned
+    const bool begins_at_word = location.base == Storage::Base::cell || location.base == Storage::Base::constant;
+    return begins_at_word && !location.has_index && location.offset % 4 == 0;
+}
+
+/// Generates code that makes the bytes of a retyped value begin at a multiple of 4, as the instructions for words need.
+/// Values of fixed size are copied. Otherwise the program stops if the address is wrong. Returns the new location.
+Storage Generator::aligned(const Storage& location, const Declaration& d, bool is_value) {
+    const auto bytes = fixed_bytes(location);
+    stack_ = 0;
+    if (is_value && bytes) {
+        Storage copied = temporary_location(*array_of(*basic(Basic::byte), static_cast<std::uint32_t>(*bytes)));
+        copy(location, copied);
+        stack_ = 0;
+        return copied;
+    }
+    if (options_.range_checks) {
+        address(location);
+        constant(3);
+        op(Operation::and_);
+        constant(1);
+        op(Operation::csub0);
+        fails(fmt::format("the address of \"{}\" is not a multiple of 4, so its bytes cannot be used as {}", d.name,
+                          name_of(*d.type)));
+        stack_ = 0;
+    }
+    return location;
+}
+
 void Generator::retype(const Declaration& d, const Retyping& r) {
     stack_ = 0;
     if (!level_ && !r.value.constant)
@@ -176,6 +213,8 @@ void Generator::retype(const Declaration& d, const Retyping& r) {
     Storage location = r.is_value ? value_in_memory(r.value) : locate(r.value);
     if (level_)
         location = pointer_to(location);
+    if (level_ && word_alignment_of(*d.type) > 1 && !is_aligned(location))
+        location = aligned(location, d, r.is_value);
     const Type& type = plain(*d.type);
     const std::int64_t unit = size_of(*d.type);
     std::vector<Extent> extents;

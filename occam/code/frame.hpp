@@ -43,6 +43,8 @@ struct Frame {
     /// Reserves consecutive local words. The caller frees them by setting `top` to its earlier value.
     Cell allocate(int words);
     void use(const Cell& cell, double weight);
+    /// Returns whether some code uses this local word. Other words have no place in the workspace.
+    bool is_used(const Cell& cell) const { return uses[static_cast<std::size_t>(cell.index)] > 0; }
     /// Tells that the process needs this number of words below its frame.
     void need_below(std::int64_t words) { below = below < words ? words : below; }
     /// Tells that an instruction uses this number of the frame's lowest words. Local words that are reserved at present

@@ -303,6 +303,7 @@ private:
 
     // declaration_code.cpp
     void declare(const Declaration&);
+    void declare_here(const Declaration&);
     void declare_outermost(const Declaration&);
     void declare_variable(const Declaration&, const Variable&);
     void declare_channels(const Declaration&);
@@ -310,6 +311,8 @@ private:
     Storage seen_as(Storage, const Type&);
     void abbreviate(const Declaration&, const Expression& value, bool is_value);
     void declare_routine(const Declaration&);
+    static bool is_aligned(const Storage&);
+    Storage aligned(const Storage&, const Declaration&, bool is_value);
     void retype(const Declaration&, const Retyping&);
 
     // parallel_code.cpp
@@ -345,6 +348,7 @@ private:
     void output_counted(const Expression& on, const Item&);
     void variant_input(const VariantInput&);
     void variant(const Expression& on, const Variant&);
+    void check_timer(const Expression& timer);
     void delay(const Delay&);
 
     // alternation_code.cpp

@@ -176,6 +176,7 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
     frame_->need_below(words_of_scheduler + components * all);
     const Cell control = temporary(2), workspace = temporary(), vector = temporary();
     expression(replicator.base);
+    settle();
     store(control);
     constant(components);
     store(control.after(1));
@@ -189,18 +190,18 @@ void Generator::start_components(const Replicator& replicator, std::int64_t comp
         store(vector);
         level_->vector_most = std::max(level_->vector_most, level_->vector_now + components * level.vector_most);
     }
-    const auto store_in_component = [&](const Cell& cell) {
+    const auto store_in_component = [&](const Cell& cell, const auto& load_value) {
+        if (!level.main.is_used(cell))
+            return; // a word that no code uses has no place in the workspace
+        load_value();
         load(workspace);
         op(Operation::stnl, coordinate_of(cell));
     };
     loop(control, emitter_.new_label(), [&] {
-        load_frame_of(*level_);
-        store_in_component(level.link);
-        load(control);
-        store_in_component(index);
+        store_in_component(level.link, [&] { load_frame_of(*level_); });
+        store_in_component(index, [&] { load(control); });
         if (level.uses_vector) {
-            load(vector);
-            store_in_component(level.vector);
+            store_in_component(level.vector, [&] { load(vector); });
             load(vector);
             add_offset(level.vector_most);
             store(vector);

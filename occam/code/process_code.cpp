@@ -271,6 +271,7 @@ void Generator::replicated(const Replicator& r, const std::function<void()>& bod
         load(control);
         store(index);
         expression(*r.step);
+        settle();
         store(*step);
     }
     bindings_[r.index.get()] = {.cell = index, .type = r.index->type};

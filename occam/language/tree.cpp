@@ -1,5 +1,7 @@
 #include "occam/language/tree.hpp"
 
+#include <algorithm>
+
 namespace placedpar::occam {
 
 namespace {
@@ -55,6 +57,21 @@ std::uint64_t bytes_of(const Type& type) {
     case Type::Kind::derived: return bytes_of(*type.element);
     case Type::Kind::record: return bytes_of_record(type);
     default: return bytes_of(type.basic);
+    }
+}
+
+std::uint32_t word_alignment_of(const Type& type) {
+    constexpr std::uint32_t word = 4;
+    switch (type.kind) {
+    case Type::Kind::array:
+    case Type::Kind::derived: return word_alignment_of(*type.element);
+    case Type::Kind::record:
+        return std::ranges::any_of(type.fields,
+                                   [](const Field& field) { return word_alignment_of(*field.type) == word; })
+                   ? word
+                   : 1;
+    case Type::Kind::basic: return bytes_of(type.basic) >= word ? word : 1;
+    default: return word;
     }
 }
 

@@ -488,5 +488,8 @@ std::string name_of(const Type&);
 /// Returns the number of bytes of a value in memory. REQUIRES: the type is basic, a record, a derived type, or an array
 /// of known size.
 std::uint64_t bytes_of(const Type&);
+/// Returns 4 if the type has parts of a word or more, which must begin at an address that is a multiple of 4, and
+/// otherwise 1. REQUIRES: as bytes_of, but arrays may be of any size.
+std::uint32_t word_alignment_of(const Type&);
 
 } // namespace placedpar::occam
