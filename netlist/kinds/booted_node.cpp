@@ -357,6 +357,7 @@ std::vector<ProgramUse::Stop> BootedNode::stops() const {
 void BootedNode::report(MachineUse& use) const {
     const bool exited_badly =
         host_ && host_->end.state() == iserver::ServerState::exited && host_->end.exit_status() == 1;
+    const bool sent_no_request = host_ && !host_->end.refusal().empty();
     const bool stopped =
         device_.activity() == transputer::Node::Activity::stopped || device_.core().count_stopped() > 0;
     use.programs.push_back({.name = node().name,
@@ -365,7 +366,7 @@ void BootedNode::report(MachineUse& use) const {
                             .state = state(),
                             .listing = listing_ ? print_listing(*listing_, lines()) : "",
                             .analysis = network().host.analyses ? print_analysis(device_.core(), lines()) : "",
-                            .failed = exited_badly || stopped,
+                            .failed = exited_badly || sent_no_request || stopped,
                             .halted = stopped && device_.core().stopped() == transputer::Stopped::by_error,
                             .booted_at = host_ ? host_->end.booted_at() : Time{},
                             .stops = stops(),

@@ -109,9 +109,10 @@ struct ProgramUse {
     std::string state;          ///< "exited with success", "was never booted"
     std::string listing = "";   ///< the executed instructions with their counts, as text; "" if they were not counted
     std::string analysis = "";  ///< the state of the transputer at the end, as text; "" if the user did not ask for it
-    bool failed = false;        ///< the program exited with failure, or the transputer stopped
-    bool halted = false;        ///< an error of the program has halted the transputer
-    Time booted_at{};           ///< time at which the host had sent the whole bootable file
+    bool failed = false; ///< the program exited with failure or sent bytes that are not a request, or the transputer
+                         ///< stopped
+    bool halted = false; ///< an error of the program has halted the transputer
+    Time booted_at{};    ///< time at which the host had sent the whole bootable file
     /// Describes a process that an error stopped, while the transputer's other processes continued.
     struct Stop {
         std::string process;

@@ -189,6 +189,7 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
     std::vector<Field> fields;
     std::map<std::string, Place> places;
     std::uint32_t offset = 0;
+    bool all_are_aligned = true;
     for (DataType::FieldText& field : text.fields) {
         const Type* const type = field.type ? type_of(*field.type, Open::refused) : mistaken();
         const auto [earlier, is_new] = places.emplace(field.name, field.at);
@@ -199,13 +200,15 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
             report(field.at, "a field of a record cannot be " + name_of(*type), "");
         const std::uint32_t multiple = text.is_packed ? 1 : alignment_of(*type);
         offset = (offset + multiple - 1) / multiple * multiple;
-        if (const std::uint32_t needed = word_alignment_of(*type); offset % needed != 0)
+        if (const std::uint32_t needed = word_alignment_of(*type); offset % needed != 0) {
+            all_are_aligned = false;
             report(
                 field.at,
                 fmt::format("the field \"{}\" begins at byte {} of the packed record, but {} must begin at a multiple "
                             "of {}",
                             field.name, offset, name_of(*type), needed),
                 fmt::format("put a field of {} bytes before it, or the longer fields first", needed - offset % needed));
+        }
         fields.push_back({field.name, type, offset});
         const std::uint64_t end = offset + bytes_of(*type);
         if (end > most_array_bytes) {
@@ -215,7 +218,8 @@ const Type* Checker::record_type(const Declaration& declaration, DataType& text)
         offset = static_cast<std::uint32_t>(end);
     }
     const Type* const record = types_.record(&declaration, std::move(fields));
-    require_whole_words(declaration, *record);
+    if (all_are_aligned)
+        require_whole_words(declaration, *record);
     return record;
 }
 
