@@ -142,7 +142,7 @@ void Kernel::start_all() {
     for (std::size_t left = starting.size(); shuffle_ && left > 1; --left)
         std::swap(starting[left - 1], starting[shuffle_->below(static_cast<std::uint32_t>(left))]);
     for (Process* p : starting)
-        p->executive_ ? p->executive_->make_ready(*p) : enqueue(*p);
+        make_ready(*p);
 }
 
 inline bool Kernel::over() const {
@@ -418,8 +418,8 @@ Ending Kernel::run(Time limit, Observer observer) {
     current_ = this;
     StackOverflowWatch watch(who_overflowed);
     hot_.stack_in_use = &fibers_.host_stack;
-    introduce_to_trace();
     start_all();
+    introduce_to_trace();
     if (Process* first = next_with_worker())
         switch_to(first);
     Ending how = ending();

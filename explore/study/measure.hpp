@@ -46,8 +46,8 @@ public:
     explicit StudyMeasure(const std::string& text);
 
     const std::string& text() const { return text_; }
-    /// Returns the measure of a run; nothing if the run has no such figure, or if the figure is no number. A mean or a
-    /// sum is no number if one of its figures is none; a least or greatest figure is taken of the numbers.
+    /// Returns the measure of a run; nothing if the run has no such figure, or if the figure is not a number. A mean or
+    /// a sum is missing if one of its figures is not a number. A least or greatest figure ignores such figures.
     std::optional<StudyFigure> of(const StudyFigures&) const;
     /// Returns whether the run has the figure, be it a number or not.
     bool is_in(const StudyFigures&) const;

@@ -98,7 +98,7 @@ private:
     std::vector<Slice> slices_;
 };
 
-/// Returns the named measures of a run. A measure that this run does not have, or that is no number, is
+/// Returns the named measures of a run. A measure that this run does not have, or that is not a number, is
 /// None. Throws UserError if runs of this
 /// network cannot have the measure.
 py::list figures_in(const LoadedNetwork& network, const FinishedRun& run, const std::vector<std::string>& measures) {
