@@ -45,8 +45,12 @@ std::string what_is_off(const LinkVerdict& link) {
         return fmt::format("the spool's position for the given voltage is {}: check the servo-valve", offset(-1));
     case VerdictKind::leak_or_offset: return print_leak_or_offset(mean, units);
     default:
+        if (link.verdict.unexplained > 0)
+            return fmt::format("neither a sound link nor a leak, an offset or another compliance explains the readings "
+                               "of its last {}: check the sensors, their units and the machine's constants",
+                               counted(link.verdict.unexplained, "movement"));
         return "the readings are impossible: below vacuum, frozen, with wild single values, with a wrong sign or "
-               "unit, or with a closed valve while the piston moves: check the sensors";
+               "unit, or with a piston that moves although no oil can flow in: check the sensors";
     }
 }
 

@@ -106,7 +106,7 @@ void ReportedDiagnosis::watch(LinkSet set, const SetSample& centre, const Newest
     const std::vector<double> health = of_set(set, newest.health_in3_per_psi);
     SetWatch::State& state = watch_of(set);
     SetWatch watch(sampling_, std::move(state));
-    if (watch.note_moving_shut(centre, health))
+    if (watch.note_moving_shut(problem(set), centre, health))
         judgements_.changed = true;
     note(set, watch.take(problem(set), centre, valves, health));
     state = watch.state();

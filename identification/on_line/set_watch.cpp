@@ -1,5 +1,7 @@
 #include "identification/on_line/set_watch.hpp"
 
+#include "hydraulics/circuit/circuit_sample.hpp"
+#include "hydraulics/circuit/junction_flow.hpp"
 #include "identification/verdict/movement_fit.hpp"
 
 #include <algorithm>
@@ -40,6 +42,22 @@ bool impossible(const Deviation& found, AreasFrom valve) {
             offset - errors * deviation.standard_error(FaultHypothesis::offset) > furthest_offset);
 }
 
+/// Returns for each link of the set whether oil can flow into its cylinder, even if the pressure reads somewhat too
+/// high. In a circuit of outlets, only the valve decides.
+std::vector<bool> where_oil_enters(const SetProblem& problem, const SetSample& sample) {
+    std::vector<bool> enters(sample.size());
+    const JunctionSamples links = problem.by_junction(sample);
+    std::vector<JunctionOpening> openings;
+    for (const LinkSample& link : links)
+        openings.push_back(
+            {link.inlet_psi - Movement::open_by_psi, std::max(link.inlet_in2, 0.0), std::max(link.bypass_in2, 0.0)});
+    const std::vector<JunctionFlow> flows = solve_junctions(problem.circuit(), openings, problem.flow());
+    const bool is_inlet = problem.circuit().front().side == Side::inlet;
+    for (std::size_t j = 0; j < links.size(); ++j)
+        enters[problem.positions()[j]] = is_inlet ? flows[j].inlet_in3_per_s > 0 : links[j].inlet_in2 > 0;
+    return enters;
+}
+
 /// Returns whether the readings of a movement make no sense: a reading never changes, or a piston retracts while oil
 /// flows in.
 bool senseless(const MovementSamples& movement, std::size_t junction) {
@@ -70,14 +88,19 @@ SetWatch::Judged SetWatch::take(const SetProblem& problem, const SetSample& samp
     return over ? judge_movement(problem, health_in3_per_psi) : std::nullopt;
 }
 
-bool SetWatch::note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi) {
+bool SetWatch::note_moving_shut(const SetProblem& problem, const SetSample& sample,
+                                std::span<const double> health_in3_per_psi) {
     bool noted = false;
+    std::optional<std::vector<bool>> enters;
     for (std::size_t i = 0; i < sample.size(); ++i) {
         const LinkSample& link = sample[i];
         const double flow =
             cylinder_flow(link.piston_flow_in3_per_s, link.inlet_slope_psi_per_s, health_in3_per_psi[i]);
         std::size_t& count = state_.moving_shut[i];
-        count = link.inlet_in2 <= 0 && flow > driven_in3_per_s ? count + 1 : 0;
+        const bool moves = flow > driven_in3_per_s;
+        if (moves && !enters)
+            enters = where_oil_enters(problem, sample);
+        count = moves && !(*enters)[i] ? count + 1 : 0;
         if (count != sampling_.samples_in(longest_swing_s))
             continue;
         note_impossible(i);
@@ -98,17 +121,17 @@ SetWatch::Judged SetWatch::judge_movement(const SetProblem& problem, std::span<c
     std::vector<LinkInHealth> by_junction;
     for (std::size_t position : problem.positions())
         by_junction.push_back({health_in3_per_psi[position], state_.valves[position]});
-    const auto found = deviations(problem.circuit(), problem.flow(), by_junction, samples);
+    auto found = fit_movement(problem.circuit(), problem.flow(), by_junction, samples);
     if (!found)
         return std::nullopt;
-    Judged judged(found->size());
-    note_senseless(problem, samples, *found);
-    for (std::size_t j = 0; j < found->size(); ++j) {
+    Judged judged(found->links.size());
+    note_senseless(problem, samples, found->links);
+    for (std::size_t j = 0; j < found->links.size(); ++j) {
         const std::size_t position = problem.positions()[j];
         LinkJudge judge(std::move(state_.judges[position]));
-        judge.take((*found)[j], state_.valves[position]);
+        judge.take(found->links[j], state_.valves[position], found->misfit);
         state_.judges[position] = judge.state();
-        (*judged)[position] = (*found)[j];
+        (*judged)[position] = found->links[j];
     }
     return judged;
 }

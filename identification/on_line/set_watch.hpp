@@ -21,8 +21,8 @@ public:
         Movement::State movement;
         std::vector<hydraulics::AreasFrom> valves; ///< sources of the newest sample's areas
         std::vector<LinkJudge::State> judges;
-        std::vector<std::size_t> moving_shut; ///< number of successive samples, up to the newest, in which oil flows in
-                                              ///< although the valve reads shut
+        std::vector<std::size_t> moving_shut; ///< number of successive samples, up to the newest, in which the piston
+                                              ///< moves although no oil could flow in
 
         friend bool operator==(const State&, const State&) = default;
     };
@@ -39,9 +39,11 @@ public:
     /// links of this set, and each span has one entry per link.
     Judged take(const SetProblem& problem, const SetSample& sample, std::span<const hydraulics::AreasFrom> valves,
                 std::span<const double> health_in3_per_psi);
-    /// Records an impossible reading for each link whose piston has moved for half a second while the valve reads shut.
-    /// Returns whether a link has such a reading. Call this function before take(), with the same sample.
-    bool note_moving_shut(const SetSample& sample, std::span<const double> health_in3_per_psi);
+    /// Records an impossible reading for each link whose piston has moved for half a second while no oil could flow in:
+    /// the valve reads shut, or the pressure reads higher than the supply's. Returns whether a link has such a reading.
+    /// Call this function before take(), with the same sample. REQUIRES: as take().
+    bool note_moving_shut(const SetProblem& problem, const SetSample& sample,
+                          std::span<const double> health_in3_per_psi);
     /// Ends and judges the present movement after a gap in the samples or a change of configuration.
     Judged end_movement(const SetProblem& problem, std::span<const double> health_in3_per_psi);
     /// Records an impossible reading of the link at `position`.

@@ -255,9 +255,10 @@ Equations before_movement(Eigen::Index unknowns) {
     return {MatrixXd::Identity(unknowns, unknowns) / (prior_units * prior_units), none, none, none};
 }
 
-/// Adds the samples during the movement. Also stores the part of the information that comes only from the noise of the
-/// slopes. solve() removes this part; otherwise the compliance would be too small (errors in variables).
-void add_moving(Equations& equations, const MovingRows& moving) {
+/// Adds the samples during the movement, and returns MovementFit::misfit. Also stores the part of the information that
+/// comes only from the noise of the slopes. solve() removes this part; otherwise the compliance would be too small
+/// (errors in variables).
+double add_moving(Equations& equations, const MovingRows& moving) {
     const Weights weights(moving.rows);
     const MatrixXd information = weights.information();
     VectorXd noise = VectorXd::Zero(information.rows());
@@ -272,6 +273,7 @@ void add_moving(Equations& equations, const MovingRows& moving) {
     equations.information += information / scale;
     equations.pull += weights.pull() / scale;
     equations.noise = noise / scale;
+    return scale;
 }
 
 /// Adds the uncertainty `leak_by_flow_within` to the leak found from the flow during the movement, since an offset may
@@ -338,8 +340,8 @@ void add_unread_pressure(Deviation& deviation) {
 
 } // namespace
 
-std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const FlowConstants& flow,
-                                                 std::span<const LinkInHealth> links, const MovementSamples& movement) {
+std::optional<MovementFit> fit_movement(const Circuit& circuit, const FlowConstants& flow,
+                                        std::span<const LinkInHealth> links, const MovementSamples& movement) {
     if (movement.moving.size() < fewest_moving)
         return std::nullopt;
     const Balance balance(circuit, flow, links);
@@ -347,7 +349,7 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
     for (std::size_t j = 0; j < circuit.size(); ++j)
         noises.push_back(reading_noise(movement, j));
     Equations equations = before_movement(balance.unknowns());
-    add_moving(equations, moving_rows(balance, movement, noises));
+    const double misfit = add_moving(equations, moving_rows(balance, movement, noises));
     for (std::size_t j = 0; j < circuit.size(); ++j)
         if (!balance.reads_areas(j))
             limit_leak(equations, row_of(j) + row_of(FaultHypothesis::leak));
@@ -362,9 +364,13 @@ std::optional<std::vector<Deviation>> deviations(const Circuit& circuit, const F
     if (rest_after)
         add_rests(movement.rest_after, FaultHypothesis::leak);
     auto found = solve(equations);
-    if (found && rest_after)
+    if (getenv("DBG"))
+        fprintf(stderr, "misfit %g found %d\n", misfit, (int)found.has_value());
+    if (!found)
+        return std::nullopt;
+    if (rest_after)
         std::ranges::for_each(*found, add_unread_pressure);
-    return found;
+    return MovementFit{std::move(*found), misfit};
 }
 
 } // namespace placedpar::identification

@@ -100,6 +100,13 @@ bool beyond_error(VerdictKind kind, const Deviation& mean) {
     }
 }
 
+/// Returns the deviation with the covariance that the noise of the readings alone would give it.
+Deviation without_misfit(Deviation movement, double misfit) {
+    for (double& each : movement.covariance)
+        each /= misfit;
+    return movement;
+}
+
 } // namespace
 
 std::string_view name_of(VerdictKind kind) { return verdict_names[static_cast<std::size_t>(kind)]; }
@@ -163,9 +170,12 @@ bool LinkJudge::is_evidence(const Deviation& movement, AreasFrom valve) {
            (valve == AreasFrom::areas || told(FaultHypothesis::offset));
 }
 
-void LinkJudge::take(const Deviation& movement, AreasFrom valve) {
-    if (!state_.impossible_now && !is_evidence(movement, valve))
+void LinkJudge::take(const Deviation& movement, AreasFrom valve, double misfit) {
+    if (!state_.impossible_now && !is_evidence(movement, valve)) {
+        state_.unexplained += misfit > greatest_misfit && is_evidence(without_misfit(movement, misfit), valve);
         return;
+    }
+    state_.unexplained = 0;
     state_.impossible = std::exchange(state_.impossible_now, false);
     if (state_.impossible)
         return;
@@ -194,6 +204,9 @@ Verdict LinkJudge::verdict() const {
     const bool by_itself = from_itself.raised() || !from_kind.raised();
     const SequentialTest& test = by_itself ? from_itself : from_kind;
     auto mean = test.mean();
+    const bool is_unexplained = !test.raised() && state_.unexplained >= most_unexplained;
+    if (is_unexplained)
+        return {.kind = VerdictKind::sensor, .probability = 1, .unexplained = state_.unexplained};
     if (!mean)
         return {};
     if (by_itself)

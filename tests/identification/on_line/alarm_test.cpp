@@ -42,7 +42,7 @@ TEST_CASE("the alarm of one faulty link states the size and the part to check") 
           "99 % sure, from 3 movements");
     CHECK(alarms_of({}, verdict_in(VerdictKind::sensor))[0].text ==
           "boom: the readings are impossible: below vacuum, frozen, with wild single values, with a wrong sign or "
-          "unit, or with a closed valve while the piston moves: check the sensors");
+          "unit, or with a piston that moves although no oil can flow in: check the sensors");
 }
 
 TEST_CASE("equal faults of all links of a branch give one alarm about their shared parts") {

@@ -15,12 +15,12 @@ namespace {
 /// A watch of the boom alone, fed with samples made by the test.
 class WatchedBoom {
 public:
-    void feed(std::size_t samples, double inlet_in2, double flow_in3_per_s) {
+    void feed(std::size_t samples, double inlet_in2, double flow_in3_per_s, double psi = 1500) {
         constexpr std::array valves{AreasFrom::spool};
         for (std::size_t i = 0; i < samples; ++i) {
             const double swing = std::sin(static_cast<double>(++taken_)); // keeps readings from looking frozen
-            const SetSample sample{{1500 + 100 * swing, 100 * swing, flow_in3_per_s, inlet_in2, 0.03}};
-            noted += watch.note_moving_shut(sample, health);
+            const SetSample sample{{psi + 100 * swing, 100 * swing, flow_in3_per_s, inlet_in2, 0.03}};
+            noted += watch.note_moving_shut(problem, sample, health);
             judged += watch.take(problem, sample, valves, health).has_value();
         }
     }
@@ -46,6 +46,17 @@ TEST_CASE("a piston driven after a movement by a valve that reads shut is a sens
     boom.feed(1, 0, 30);
     CHECK(boom.noted == 1);
     CHECK(boom.watch.state().judges.front().impossible_now);
+    CHECK(LinkJudge(boom.watch.state().judges.front()).verdict().kind == VerdictKind::sensor);
+}
+
+TEST_CASE(
+    "a piston driven by oil that could not flow in, because the pressure reads above the supply's, is a sensor fault") {
+    WatchedBoom boom;
+    boom.feed(20, 0, 0);
+    boom.feed(24, 0.09, 30, 4000);
+    CHECK(boom.noted == 0);
+    boom.feed(1, 0.09, 30, 4000);
+    CHECK(boom.noted == 1);
     CHECK(LinkJudge(boom.watch.state().judges.front()).verdict().kind == VerdictKind::sensor);
 }
 

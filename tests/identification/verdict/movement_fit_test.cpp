@@ -46,9 +46,10 @@ MovementSamples moved(const FaultyPlant& question, const Faults& faults, std::ui
 }
 
 Deviation deviation_of(const FaultyPlant& question, const Faults& faults, std::uint64_t seed) {
-    return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, moved(question, faults, seed))
+    return fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}},
+                        moved(question, faults, seed))
         .value()
-        .front();
+        .links.front();
 }
 
 /// Returns the deviations of bucket and boom in series, with known areas.
@@ -56,10 +57,11 @@ std::vector<Deviation> two_links(const Faults& faults, const char* noise, std::u
     const FaultyPlant both{"links", noise, {Link::bucket, Link::boom}};
     const Circuit circuit = circuit_of(Configuration::a, both.links);
     REQUIRE(circuit[0].link == Link::bucket);
-    return deviations(circuit, flow_constants(),
-                      std::array{LinkInHealth{0.0050, AreasFrom::areas}, LinkInHealth{0.0086, AreasFrom::areas}},
-                      moved(both, faults, seed))
-        .value();
+    return fit_movement(circuit, flow_constants(),
+                        std::array{LinkInHealth{0.0050, AreasFrom::areas}, LinkInHealth{0.0086, AreasFrom::areas}},
+                        moved(both, faults, seed))
+        .value()
+        .links;
 }
 
 /// Returns by how many of its standard errors each component of the deviation differs from the truth.
@@ -142,7 +144,7 @@ TEST_CASE("faults of two links that share flow are distinguished") {
 TEST_CASE("too short a movement gives no result") {
     MovementSamples movement = moved({"scenario-a", "low"}, {}, 1);
     movement.moving.resize(fewest_moving - 1);
-    CHECK_FALSE(deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement));
+    CHECK_FALSE(fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement));
 }
 
 TEST_CASE("rest without pressure gives no information about a leak") {
@@ -151,7 +153,7 @@ TEST_CASE("rest without pressure gives no information about a leak") {
     for (JunctionSamples& samples : movement.at_rest)
         samples.front().inlet_psi = 0;
     auto found = [&] {
-        return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement);
+        return fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement);
     };
     const auto with_rest = found();
     movement.at_rest.clear();
@@ -163,8 +165,9 @@ TEST_CASE("a leak from the rest after a movement is uncertain by a quarter of it
     const Faults shuts{{"excavator.second_time", 1.5}, {"excavator.duration", 2.3}, {"fault.leak", 0.0028}};
     const MovementSamples movement = moved({"excavator", "low"}, shuts, 7);
     REQUIRE(movement.rest_after.size() >= 4);
-    const Deviation found =
-        deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement).value().front();
+    const Deviation found = fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement)
+                                .value()
+                                .links.front();
     CAPTURE(found.standard_error(FaultHypothesis::leak) / found.by[1]);
     CHECK(found.by[1] > 1.2);
     CHECK(found.standard_error(FaultHypothesis::leak) > 0.25 * found.by[1]);
@@ -179,7 +182,9 @@ TEST_CASE("the uncertainty of the compliance at rest makes the leak uncertain by
         movement.at_rest.push_back({{psi, slope_psi_per_s, -compliance * slope_psi_per_s + noise, 0, 0.03}});
     movement.rest_after.clear();
     const Deviation found =
-        deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{compliance}}, movement).value().front();
+        fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{compliance}}, movement)
+            .value()
+            .links.front();
     const WayUnits unit = WayUnits::of(compliance);
     const double leak_by_compliance = -unit.compliance_in3_per_psi * slope_psi_per_s / (unit.leak_in3_per_s_psi * psi);
     const double left = std::sqrt(matrix_of(found.covariance)(3, 3) -
@@ -193,9 +198,9 @@ TEST_CASE("a leak from flow alone has an uncertainty of 1.25 units, unless the a
     movement.at_rest.clear();
     movement.rest_after.clear();
     auto error = [&](AreasFrom areas) {
-        return deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086, areas}}, movement)
+        return fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086, areas}}, movement)
             .value()
-            .front()
+            .links.front()
             .standard_error(FaultHypothesis::leak);
     };
     CAPTURE(error(AreasFrom::areas));
@@ -221,7 +226,9 @@ TEST_CASE("the rest after a movement distinguishes a new leak from an offset; fl
     };
     auto said = [](const MovementSamples& movement) {
         const Deviation found =
-            deviations(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement).value().front();
+            fit_movement(boom_circuit(), flow_constants(), std::array{LinkInHealth{0.0086}}, movement)
+                .value()
+                .links.front();
         return verdict_of(found, true, AreasFrom::spool).kind;
     };
     MovementSamples leak = with({{"fault.leak", 0.0028}, {"fault.leak_start", 0.192}}),

@@ -152,3 +152,31 @@ TEST_CASE("another source of the valve's position restarts the judgement") {
     judge.take(off_by(0, 0, 1), AreasFrom::servo);
     CHECK(judge.state().first.size() == 1);
 }
+
+TEST_CASE("after two movements that nothing explains, a link no longer counts as sound") {
+    const Deviation scattered = off_by(0, 0, 0, 4);
+    constexpr double great = 300;
+    LinkJudge judge;
+    for (int i = 0; i < 6; ++i)
+        judge.take(in_health, AreasFrom::spool, 1.8);
+    CHECK(judge.verdict().kind == VerdictKind::sound);
+    judge.take(scattered, AreasFrom::spool, great);
+    CHECK(judge.verdict().kind == VerdictKind::sound);
+    judge.take(scattered, AreasFrom::spool, great);
+    CHECK(judge.verdict().kind == VerdictKind::sensor);
+    CHECK(judge.verdict().unexplained == 2);
+    judge.take(in_health, AreasFrom::spool, 1);
+    CHECK(judge.verdict().kind == VerdictKind::sound);
+}
+
+TEST_CASE("movements that say little, or whose readings are explained, do not count as unexplained") {
+    LinkJudge judge;
+    for (int i = 0; i < 6; ++i)
+        judge.take(in_health, AreasFrom::spool);
+    for (int i = 0; i < 6; ++i) {
+        judge.take(off_by(0, 0, 0, 4), AreasFrom::spool, LinkJudge::greatest_misfit); // hardly more than noise
+        judge.take(off_by(0, 0, 0, 400), AreasFrom::spool, 300);                      // steady: says nothing anyway
+    }
+    CHECK(judge.verdict().kind == VerdictKind::sound);
+    CHECK(judge.state().unexplained == 0);
+}
