@@ -206,7 +206,7 @@ Verdict LinkJudge::verdict() const {
     auto mean = test.mean();
     const bool is_unexplained = !test.raised() && state_.unexplained >= most_unexplained;
     if (is_unexplained)
-        return {.kind = VerdictKind::sensor, .probability = 1, .unexplained = state_.unexplained};
+        return {.kind = VerdictKind::sensor, .probability = 1, .deviation = {}, .unexplained = state_.unexplained};
     if (!mean)
         return {};
     if (by_itself)
