@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace placedpar {
@@ -14,9 +15,10 @@ namespace {
 
 /// The sums of the ranks of each group's figures, where the figures of all groups are ranked together.
 struct RankSums {
-    std::vector<double> sums, sizes; ///< one element for each group
-    double size = 0;                 ///< number of all figures
-    double ties = 0;                 ///< sum of t^3 - t over the sets of t equal figures
+    std::vector<double> sums, sizes;       ///< one element for each group
+    double size = 0;                       ///< number of all figures
+    double ties = 0;                       ///< sum of t^3 - t over the sets of t equal figures
+    std::vector<std::size_t> doubled = {}; ///< twice the rank of each figure, in ascending order
 };
 
 /// Computes the sums of ranks. Equal figures get the mean of their ranks.
@@ -37,36 +39,30 @@ RankSums rank_sums(const std::vector<std::vector<double>>& groups) {
         ranks.ties += equal * equal * equal - equal;
         for (std::size_t i = begin; i < end; ++i)
             ranks.sums[all[i].second] += static_cast<double>(begin + end + 1) / 2;
+        ranks.doubled.insert(ranks.doubled.end(), end - begin, begin + end + 1);
     }
     return ranks;
 }
 
-/// Counts the orders of m figures of a first group and n figures of a second group. A pair has one figure of each
-/// group. Element u of the result is the number of orders in which the greater figure belongs to the first group in
-/// exactly u pairs. These numbers are the coefficients of the Gaussian binomial, the product over i = 1 .. m of (1 -
-/// q^(n + i)) / (1 - q^i).
-std::vector<double> orders_by_pairs(std::size_t m, std::size_t n) {
-    std::vector<double> orders(m * n + 1);
-    orders[0] = 1;
-    for (std::size_t i = 1; i <= m; ++i) {
-        for (std::size_t u = orders.size(); u-- > n + i;)
-            orders[u] -= orders[u - n - i];
-        for (std::size_t u = i; u < orders.size(); ++u)
-            orders[u] += orders[u - i];
-    }
-    return orders;
-}
-
-/// Returns the two-sided probability, at most 1: twice the probability that the greater figure belongs to the first
-/// group in at least `pairs` pairs.
-double exact_p(std::size_t m, std::size_t n, double pairs) {
-    const std::vector<double> orders = orders_by_pairs(m, n);
+/// Returns the two-sided probability that a group of m of these figures, chosen at random, has a sum of ranks at least
+/// as far from its mean as `sum`. Ranks and sums are doubled, so that the mean rank of equal figures is an integer.
+double exact_p(std::size_t m, const std::vector<std::size_t>& ranks, std::size_t sum) {
+    const std::size_t most = std::accumulate(ranks.begin(), ranks.end(), std::size_t{0});
+    std::vector<std::vector<double>> choices(m + 1, std::vector<double>(most + 1)); // by number of figures and sum
+    choices[0][0] = 1;
+    for (const std::size_t rank : ranks)
+        for (std::size_t chosen = m; chosen > 0; --chosen)
+            for (std::size_t with = most; with >= rank; --with)
+                choices[chosen][with] += choices[chosen - 1][with - rank];
+    const double mean = static_cast<double>(m * most) / static_cast<double>(ranks.size());
+    const auto distance = [mean](std::size_t of) { return std::abs(static_cast<double>(of) - mean); };
+    constexpr double rounding = 1e-9;
     double all = 0, extreme = 0;
-    for (std::size_t u = 0; u < orders.size(); ++u) {
-        all += orders[u];
-        extreme += static_cast<double>(u) >= pairs ? orders[u] : 0;
+    for (std::size_t of = 0; of <= most; ++of) {
+        all += choices[m][of];
+        extreme += distance(of) > distance(sum) - rounding ? choices[m][of] : 0;
     }
-    return std::min(1.0, 2 * extreme / all);
+    return extreme / all;
 }
 
 double normal_p(const RankSums& ranks, double pairs) {
@@ -86,8 +82,9 @@ RankTest mann_whitney(const std::vector<double>& first, const std::vector<double
     const double product = ranks.sizes[0] * ranks.sizes[1];
     const double greater = ranks.sums[0] - ranks.sizes[0] * (ranks.sizes[0] + 1) / 2;
     const double pairs = std::max(greater, product - greater);
-    const bool exact = ranks.ties == 0 && first.size() + second.size() <= most_counted;
-    return {.p = exact ? exact_p(first.size(), second.size(), pairs) : normal_p(ranks, pairs),
+    const bool exact = first.size() + second.size() <= most_counted;
+    const auto sum = static_cast<std::size_t>(std::llround(2 * ranks.sums[0]));
+    return {.p = exact ? exact_p(first.size(), ranks.doubled, sum) : normal_p(ranks, pairs),
             .effect = greater / product,
             .exact = exact};
 }

@@ -19,8 +19,9 @@ struct RankTest {
 };
 
 /// Returns the result of the two-sided test of H. Mann and D. Whitney (1947). Counts all orders of the figures if there
-/// are at most 40, and no two are equal. Otherwise uses the normal distribution, corrected for equal figures and for
-/// continuity. REQUIRES: both groups have figures; no figure is NaN.
+/// are at most 40: the sum of the first group's ranks is at least as far from its mean in a share p of the orders.
+/// Equal figures have the mean of their ranks. With more figures, uses the normal distribution, corrected for equal
+/// figures and for continuity. REQUIRES: both groups have figures; no figure is NaN.
 RankTest mann_whitney(const std::vector<double>& first, const std::vector<double>& second);
 
 /// Returns the result of the test of W. Kruskal and W. Wallis (1952), by the chi-squared distribution, corrected for

@@ -2,7 +2,10 @@
 
 #include <doctest/doctest.h>
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -49,6 +52,35 @@ TEST_CASE("equal figures are corrected for, as in R's wilcox.test: ozone in May 
     CHECK_FALSE(ozone.exact);
     CHECK(ozone.effect == near(127.5 / (26 * 26)));
     CHECK(ozone.p == doctest::Approx(0.0001208).epsilon(4e-4));
+}
+
+TEST_CASE(
+    "with equal figures, p is the share of all choices of the first group whose ranks are at least as far apart") {
+    for (unsigned world = 0; world < 4096;
+         ++world) { // six figures from 0 to 3, of which the first two or three are a group
+        std::vector<double> figures;
+        for (unsigned i = 0; i < 6; ++i)
+            figures.push_back(world >> 2 * i & 3);
+        const unsigned size = 2 + world % 2;
+        const auto far = [&figures](unsigned chosen) { // twice the distance of the chosen figures' wins from the mean
+            int wins = 0;
+            for (unsigned i = 0; i < 6; ++i)
+                for (unsigned j = 0; j < 6; ++j)
+                    if ((chosen >> i & 1) != 0 && (chosen >> j & 1) == 0)
+                        wins += (figures[i] > figures[j]) - (figures[i] < figures[j]);
+            return std::abs(wins);
+        };
+        double all = 0, extreme = 0;
+        for (unsigned chosen = 0; chosen < 64; ++chosen)
+            if (static_cast<unsigned>(std::popcount(chosen)) == size) {
+                ++all;
+                extreme += far(chosen) >= far((1U << size) - 1);
+            }
+        const RankTest test =
+            mann_whitney({figures.begin(), figures.begin() + size}, {figures.begin() + size, figures.end()});
+        CHECK(test.exact);
+        CHECK(test.p == near(extreme / all));
+    }
 }
 
 TEST_CASE("the printed tables of U at 5 % on two sides are met: 2, 23 and 127 for groups of 5, 10 and 20") {
