@@ -46,6 +46,8 @@ public:
     explicit MovementsOfRecord(const Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
 
     void take(const std::vector<MovementFinding>& found) {
+        count_ += found.size();
+        impossible_ += static_cast<std::size_t>(std::ranges::count_if(found, has_impossible));
         for (const MovementFinding& movement : found)
             for (const LinkFinding& link : movement.links)
                 if (link.whole && is_evidence(link)) {
@@ -54,6 +56,7 @@ public:
                 }
     }
     void add_to(RecordAnswer& answer) const {
+        answer.why_none = why_none();
         for (Link link : all_links)
             if (const auto& [deviations, units] = links_[index_of(link)]; !deviations.empty()) {
                 const Deviation mean = mean_deviation(deviations);
@@ -70,8 +73,23 @@ public:
     }
 
 private:
+    static bool is_impossible(const LinkFinding& link) {
+        return std::ranges::any_of(link.flags, [](const Flag& flag) { return flag.kind == FlagKind::impossible; });
+    }
+    static bool has_impossible(const MovementFinding& movement) {
+        return std::ranges::any_of(movement.links, is_impossible);
+    }
+
+    std::string why_none() const {
+        if (count_ == 0)
+            return "the record has no movement of the link";
+        if (impossible_ > 0)
+            return fmt::format("{} of {} have impossible readings", impossible_, counted(count_, "movement"));
+        return fmt::format("{} of too little change of pressure, or with too much noise", counted(count_, "movement"));
+    }
+
     bool is_evidence(const LinkFinding& link) const {
-        return std::ranges::none_of(link.flags, [](const Flag& flag) { return flag.kind == FlagKind::impossible; }) &&
+        return !is_impossible(link) &&
                LinkJudge::is_evidence(link.whole->deviation,
                                       link.whole->deviation.by[index_of(FaultHypothesis::offset)] == 0
                                           ? AreasFrom::areas
@@ -80,6 +98,7 @@ private:
 
     const Diagnosis& diagnosis_;
     PerLink<LinkMovements> links_;
+    std::size_t count_ = 0, impossible_ = 0; ///< number of movements; number of those with impossible readings
 };
 
 /// Returns the standard deviation of the error that inexact equations cause in a compliance. This error differs from
@@ -164,6 +183,7 @@ private:
         read_all(std::move(first), pieces, [&](const Record& piece) { moving.take(piece); });
         if (stopped())
             return;
+        answer.why_none = "the link moves too little, or its compliance is doubtful";
         for (const LinkIdentified& link : combined_links(moving.sets()))
             if (link.flags.empty() && wanted.contains(link.link)) {
                 answer.source[index_of(link.link)] = "with the configuration recognised";
@@ -187,6 +207,15 @@ private:
     ProgressLine progress_;
     std::size_t number_ = 0; ///< number of the current record, from 1
 };
+
+/// Returns whether a link changes, or has no answer in some record.
+bool is_doubtful(const Trend& trend) {
+    const std::vector<Link> links = links_of(trend.links());
+    const auto lacks_one = [&](const RecordAnswer& answer) {
+        return std::ranges::any_of(links, [&](Link link) { return !answer.of(link, TrendValue::compliance); });
+    };
+    return !trend.changes().empty() || std::ranges::any_of(trend.answers(), lacks_one);
+}
 
 } // namespace
 
@@ -219,7 +248,7 @@ ExitCode identify_trend(const IdentifyOptions& options, boost::json::object& jso
         write_whole(options.trend, trend_svg(trend));
     for (auto& [key, value] : trend_json(trend))
         json[key] = value;
-    return options.strict && !trend.changes().empty() ? ExitCode::missed_tolerance : ExitCode::success;
+    return options.strict && is_doubtful(trend) ? ExitCode::missed_tolerance : ExitCode::success;
 }
 
 } // namespace placedpar

@@ -39,7 +39,7 @@ std::string print_answer(const RecordAnswer& answer, Link link, std::size_t widt
     const auto& found = answer.of(link, TrendValue::compliance);
     const std::string date = answer.date_s ? date_text(*answer.date_s) : "-";
     if (!found)
-        return fmt::format("{:<{}}  {:<16}  no answer\n", answer.record, width, date);
+        return fmt::format("{:<{}}  {:<16}  no answer: {}\n", answer.record, width, date, answer.why_none);
     const double reach = errors_of_interval * found->standard_error;
     return fmt::format("{:<{}}  {:<16}  {:>7.5f}  {:<23}  {:>18}  {:>18}\n", answer.record, width, date, found->value,
                        fmt::format("{:>7.5f} to {:>7.5f}", found->value - reach, found->value + reach),
@@ -95,6 +95,7 @@ boost::json::object answer_json(const RecordAnswer& answer, LinkSet links) {
     return {{"record", answer.record},
             {"date", answer.date_s ? boost::json::value(date_text(*answer.date_s)) : nullptr},
             {"links", std::move(all)},
+            {"why_none", answer.why_none.empty() ? boost::json::value() : boost::json::value(answer.why_none)},
             {"warnings", warnings_json(answer.warnings)}};
 }
 

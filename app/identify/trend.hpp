@@ -36,6 +36,7 @@ struct RecordAnswer {
     hydraulics::PerLink<std::array<std::optional<identification::UncertainValue>, all_trend_values.size()>> links = {};
 
     std::vector<Diagnostic> warnings = {}; ///< warnings about the record
+    std::string why_none = "";             ///< why a link without values has none, such as "no movement"
     /// The source of each link's areas, such as "from the spool"; "" without an answer.
     hydraulics::PerLink<std::string_view> source = {};
 

@@ -23,7 +23,7 @@ void declare_question(Options& command, IdentifyOptions& options) {
     add_file(command, "--columns-from", options.columns_from, "file with column names, one on each line");
     add_links(command, options.links,
               "links to identify, separated by commas: bucket, boom, stick, swing; default: every link with readings; "
-              "with --way thesis: boom");
+              "with --way thesis or whole: boom");
     add_configuration(command, options.configuration,
                       "configuration of the main valve during the record; default: recognised sample by sample if the "
                       "record has pressure, angle and areas of all links, otherwise configuration a");
@@ -37,7 +37,7 @@ void declare_question(Options& command, IdentifyOptions& options) {
     command
         .add("--offset", options.offset,
              "offset by which the readings of the boom's spool are too high, in inches; default: none. With --way "
-             "thesis the default is auto, which finds the offset in the record's steady motion")
+             "thesis or whole the default is auto, which finds the offset in the record's steady motion")
         .type("auto|none|INCHES");
     command
         .add("--missing", options.missing,
@@ -115,7 +115,7 @@ void declare_identify_options(Options& command, IdentifyOptions& options) {
     add_file(command, "--json", options.json, "writes the result as JSON");
     command.add_flag("--strict", options.strict,
                      "exit code 3 if an answer is flagged as doubtful or an alarm is raised; with several records, "
-                     "if a change is found");
+                     "if a change is found or a record has no answer");
     command.add_footer(
         "For each movement the command prints each link's compliance in both systems of units, with the standard "
         "error that\nthe record's noise causes. At the end it judges each link: sound, or which fault it has and how "

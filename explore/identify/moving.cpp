@@ -140,7 +140,8 @@ IdentifyEnd identify_moving(const IdentifySettings& settings, Record first, Reco
     const std::vector<SetAnswer> sets = moving.sets();
     if (sets.empty())
         throw UnfitRecord(
-            fmt::format("no link moves forward for long enough; a search needs at least {}, each of 0.16 s",
+            fmt::format("no link moves forward for long enough; a search needs at least {}, each of 0.16 s; if one "
+                        "configuration of the main valve holds for the whole record, name it by --configuration",
                         counted(SetSearch::fewest_samples, "sample")));
     const std::vector<LinkIdentified> links = combined_links(sets);
     output.print(print_recognition(moving.recognition()) + print_sets(sets) + print_links(links, wanted) +
