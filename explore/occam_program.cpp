@@ -16,6 +16,7 @@
 #include <array>
 #include <bit>
 #include <optional>
+#include <ranges>
 #include <string_view>
 
 namespace placedpar {
@@ -104,7 +105,10 @@ bool can_be_run(const occam::Declaration& procedure) {
     const occam::Type* const last = parameters.empty() ? nullptr : parameters.back()->type;
     const bool gets_memory = parameters.size() == 3 && channels == 2 && last->kind == occam::Type::Kind::array &&
                              !last->count && last->element->is(occam::Basic::integer);
-    return parameters.size() <= 3 && (channels == parameters.size() || gets_memory);
+    const auto is_to_host = [](const occam::DeclarationBox& each) { return carries_host_protocol(*each->type); };
+    const bool has_host = std::ranges::all_of(parameters | std::views::take(2), is_to_host);
+    const bool has_terminal = parameters.size() == 3 && channels == 3;
+    return has_terminal || (has_host && (parameters.size() <= 2 || gets_memory));
 }
 
 bool is_occam(const std::filesystem::path& path) {
@@ -173,6 +177,14 @@ CompiledOccam compile_occam(const std::filesystem::path& path, const std::vector
     if (!found.empty())
         warn(found);
     return compiled(program, typed, model);
+}
+
+void require_compilable(const std::shared_ptr<const SourceFile>& file,
+                        const std::vector<std::filesystem::path>& folders, const occam::SourceOptions& wanted) {
+    Reporter reporter;
+    const OccamCheck program = checked_program(file, folders, wanted, {}, reporter);
+    if (!program.failed)
+        compiled(program, {}, transputer::Model::t800);
 }
 
 std::optional<std::uint64_t> bytes_of_size(const std::string& text) {

@@ -10,6 +10,7 @@
 #include "identification/on_line/moving_identification.hpp"
 #include "identification/verdict/mean_deviation.hpp"
 #include "picture/gnuplot.hpp"
+#include "text/counted.hpp"
 #include "text/output_file.hpp"
 #include "text/standard_streams.hpp"
 #include "text/user_error.hpp"

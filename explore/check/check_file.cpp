@@ -10,9 +10,12 @@
 #include "text/load_source.hpp"
 #include "text/nearest.hpp"
 #include "text/program_name.hpp"
+#include "text/refused_text.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <utility>
 
@@ -35,6 +38,15 @@ std::string use_of(const occam::Declaration* main) {
                              : fmt::format("only a netlist can use PROC {}, because of its parameters", main->name);
 }
 
+/// Adds what only the compiler refuses.
+void add_refusals(CheckedFile& checked, const std::shared_ptr<const SourceFile>& file, const CheckOptions& options) {
+    try {
+        require_compilable(file, options.read.include_folders, options.program);
+    } catch (const RefusedText& refused) {
+        std::ranges::copy(refused.diagnostics(), std::back_inserter(checked.diagnostics));
+    }
+}
+
 CheckedFile check_program(const std::filesystem::path& path, const CheckOptions& options) {
     LoadedSource source = load_input(path);
     if (has_errors(source.problems))
@@ -47,6 +59,8 @@ CheckedFile check_program(const std::filesystem::path& path, const CheckOptions&
             checked.included.push_back(file->path());
     if (!program.failed)
         checked.summary = fmt::format("{}: no errors; {}\n", path.string(), use_of(program.main));
+    if (!program.failed && program.main && can_be_run(*program.main))
+        add_refusals(checked, source.file, options);
     return checked;
 }
 

@@ -113,8 +113,7 @@ void Generator::end_run() {
 }
 
 void Generator::add_main_argument(Arguments& words, const Declaration& parameter, std::int64_t memory) {
-    const bool is_channel = parameter.type->kind == Type::Kind::channel;
-    if (is_channel && words.size() < 2) {
+    if (carries_host_protocol(*parameter.type) && words.size() < 2) {
         const bool is_input = words.empty();
         words.push_back({1, [this, is_input] {
                              op(Operation::mint);

@@ -60,6 +60,15 @@ std::uint64_t bytes_of(const Type& type) {
     }
 }
 
+bool carries_host_protocol(const Type& type) {
+    if (type.kind != Type::Kind::channel)
+        return false;
+    const ProtocolType& protocol = *type.protocol;
+    return protocol.kind == ProtocolType::Kind::any ||
+           (protocol.kind == ProtocolType::Kind::sequence && protocol.items.size() == 1 && protocol.items[0].count &&
+            protocol.items[0].type->element->is(Basic::byte));
+}
+
 std::uint32_t word_alignment_of(const Type& type) {
     constexpr std::uint32_t word = 4;
     switch (type.kind) {

@@ -491,5 +491,8 @@ std::uint64_t bytes_of(const Type&);
 /// Returns 4 if the type has parts of a word or more, which must begin at an address that is a multiple of 4, and
 /// otherwise 1. REQUIRES: as bytes_of, but arrays may be of any size.
 std::uint32_t word_alignment_of(const Type&);
+/// Returns whether a channel can carry the requests and replies of the host: its protocol is ANY, or counted bytes as
+/// in `PROTOCOL SP IS INT16::[]BYTE`.
+bool carries_host_protocol(const Type&);
 
 } // namespace placedpar::occam
