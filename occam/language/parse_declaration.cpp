@@ -57,6 +57,16 @@ std::string Parser::hint_for_array(const std::string& type, const Word& name) co
                : "";
 }
 
+/// Returns a hint if a value follows the name in a declaration, as in other languages; "" otherwise.
+std::string Parser::hint_for_value(const std::string& type, const Word& name) const {
+    return peek().text == "=" || peek().text == ":="
+               ? fmt::format(
+                     "write INITIAL {0} {1} IS ...: for a variable with a first value, or VAL {0} {1} IS ...: for a "
+                     "constant",
+                     type, name.text)
+               : "";
+}
+
 /// Returns the text of the next words, with single blanks between names, numbers and keywords.
 std::string Parser::written(std::size_t words) const {
     std::string text;
@@ -233,7 +243,8 @@ void Parser::parse_typed(std::vector<DeclarationBox>& declarations) {
         expect_name("a variable");
         add(declarations, name, Variable{.type = type, .initial = nullptr});
     }
-    end_declaration("a declaration", hint_for_array(type_text, name));
+    const std::string hint = hint_for_value(type_text, name);
+    end_declaration("a declaration", hint.empty() ? hint_for_array(type_text, name) : hint);
 }
 
 void Parser::parse_initial(std::vector<DeclarationBox>& declarations) {

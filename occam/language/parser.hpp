@@ -171,6 +171,7 @@ private:
     void parse_use(std::vector<DeclarationBox>&);
     void end_declaration(std::string_view what, const std::string& hint = "");
     bool is_array_by_mistake(std::size_t ahead) const;
+    std::string hint_for_value(const std::string& type, const Word& name) const;
     std::string hint_for_array(const std::string& type, const Word& name) const;
     std::string written(std::size_t words) const;
     DeclarationBox& add(std::vector<DeclarationBox>&, const Word& name, decltype(Declaration::form));
