@@ -4,10 +4,13 @@
 #include "python/module/random.hpp"
 #include "text/user_error.hpp"
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -30,8 +33,11 @@ struct Callable {
         try {
             return function.get()(std::forward<Arguments>(arguments)...).template cast<Result>();
         } catch (py::error_already_set& error) {
-            if (!failure->get())
+            if (!failure->get()) {
+                if (error.trace())
+                    PyException_SetTraceback(error.value().ptr(), error.trace().ptr());
                 *failure = SharedObject(error.value());
+            }
             throw std::runtime_error(step + ": " + text_of(error.value()));
         } catch (const py::cast_error&) {
             throw std::runtime_error(step + ": the function returned a value of the wrong type");
@@ -43,18 +49,34 @@ py::array_t<double> array_of(std::span<const double> values) {
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
 }
 
-/// Returns the values that a string represents: real numbers, bits, or the order of a permutation.
-py::array_t<double> values_of(const Genome& genome, const Representation& representation) {
-    std::vector<double> values;
+/// Returns the values that a string represents: real numbers, or, as whole numbers, bits or the order of a permutation.
+py::array values_of(const Genome& genome, const Representation& representation) {
     if (representation.kind() == StringKind::real)
-        values = representation.reals().decode(genome);
-    else if (representation.kind() == StringKind::permutation)
+        return array_of(representation.reals().decode(genome));
+    std::vector<std::int64_t> values;
+    if (representation.kind() == StringKind::permutation)
         for (std::size_t each : representation.permutation().decode(genome))
-            values.push_back(static_cast<double>(each));
+            values.push_back(static_cast<std::int64_t>(each));
     else
         for (std::size_t i = 0; i < genome.size(); ++i)
             values.push_back(genome.bit(i) ? 1 : 0);
-    return array_of(values);
+    return py::array_t<std::int64_t>(static_cast<py::ssize_t>(values.size()), values.data());
+}
+
+/// Returns the order that a function has returned. Throws std::runtime_error unless it has each place once.
+std::vector<std::size_t> order_of(const std::vector<double>& values) {
+    std::vector<std::size_t> order;
+    std::vector<bool> seen(values.size());
+    for (const double value : values) {
+        const bool is_place = value >= 0 && value < static_cast<double>(values.size()) && value == std::floor(value);
+        if (!is_place || seen[static_cast<std::size_t>(value)])
+            throw std::runtime_error(fmt::format(
+                "the function returned a permutation with {}, but must return each of the places 0 to {} once", value,
+                values.size() - 1));
+        seen[static_cast<std::size_t>(value)] = true;
+        order.push_back(static_cast<std::size_t>(value));
+    }
+    return order;
 }
 
 Genome string_of(const std::vector<double>& values, const Representation& representation) {
@@ -62,12 +84,17 @@ Genome string_of(const std::vector<double>& values, const Representation& repres
     if (values.size() != representation.bits() / representation.unit())
         throw std::runtime_error("the function must return strings of the same length as the strings that it received");
     if (representation.kind() == StringKind::permutation)
-        return representation.permutation().encode(std::vector<std::size_t>(values.begin(), values.end()));
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (representation.kind() == StringKind::real)
+        return representation.permutation().encode(order_of(values));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const bool is_real = representation.kind() == StringKind::real;
+        if (is_real ? std::isnan(values[i]) : values[i] != 0 && values[i] != 1)
+            throw std::runtime_error(fmt::format("the function returned {}, but must return {}", values[i],
+                                                 is_real ? "numbers" : "bits 0 and 1"));
+        if (is_real)
             representation.reals().set(genome, i, values[i]);
         else
             genome.set(i, values[i] != 0);
+    }
     return genome;
 }
 

@@ -188,14 +188,16 @@ py::dict search_front(const GivenProblem& given, const SearchOptions& options) {
     const FrontResult result = placedpar::search_front(
         *problem, options.generations, front_settings(problem->representation(), 2 * population),
         RandomStream(options.seed, "front"), [&](std::uint64_t made) { pauses.pause(made); }, checkpoint.get());
-    py::list x, values;
+    py::list x, strings, values;
     for (const FrontIndividual& each : result.front) {
         x.append(each.parameters);
+        strings.append(problem->representation().text(each.genome));
         values.append(each.objectives);
     }
     const auto names = problem->objective_names();
     py::dict found;
     found["x"] = x;
+    found["strings"] = strings;
     found["values"] = values;
     found["names"] = names.empty() ? std::vector<std::string>{"f_1"} : names;
     found["parameters"] = problem->parameter_names().size();

@@ -92,7 +92,8 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
     emigration(fitness, random) -> indices of emigrants; the function's attribute `count` is the number of emigrants;
     acceptance(fitness, immigrants, random) -> for each immigrant the index of the individual that it replaces, or
     None.
-    a, b and x are arrays of bits, real numbers, or places of a permutation.
+    a, b and x are arrays of real numbers, or, as whole numbers, of bits 0 and 1 or of the places 0 to n - 1 of a
+    permutation. An exception of the function is raised again, with its own traceback.
 
     progress: a function that is called with the number of generations made, on all islands together, and the number of
     all generations; False shows no line of progress on a terminal or in a notebook.
@@ -114,7 +115,8 @@ def search(problem: Problem, bounds: Optional[Sequence[tuple[float, float]]] = N
 class Front:
     """The result of search_front(): the n individuals that no other individual dominates.
 
-    x: their parameters, an array of shape (n, d).
+    x: their parameters, an array of shape (n, d); d is 0 if the problem has none, such as a tour.
+    strings: each individual's string of bits, its real numbers or its tour, as a list of n texts.
     values: their objectives, an array of shape (n, objectives).
     names: names of the objectives.
     least_violation: least sum of violations of the constraints; 0 if an individual satisfies all constraints.
@@ -125,7 +127,8 @@ class Front:
         import numpy
 
         self.names: list[str] = found["names"]
-        self.x = numpy.array(found["x"]).reshape(-1, found["parameters"])
+        self.strings: list[str] = found["strings"]
+        self.x = numpy.array(found["x"]).reshape(len(self.strings), found["parameters"])
         self.values = numpy.array(found["values"]).reshape(-1, len(self.names))
         self.least_violation: float = found["least_violation"]
         self.evaluations: int = found["evaluations"]

@@ -97,6 +97,13 @@ class Fronts(unittest.TestCase):
                 self.assertEqual(own.violation, max(0, g06(own.x.reshape(1, -1))[1].clip(min=0).sum()))
         self.same(pp.search_front(g06, box, bits=30, generations=20), pp.search_front("g06", generations=20))
 
+    def test_strings_without_parameters_are_texts(self):
+        for problem, letters in (("tour-circle(cities = 6)", " 012345"), ("one-max(bits = 8)", "01")):
+            front = pp.search_front(problem, generations=2, population=4)
+            self.assertEqual(front.x.shape, (len(front.values), 0))
+            self.assertEqual(len(front.strings), len(front.values))
+            self.assertEqual(set("".join(front.strings)) - set(letters), set())
+
     def test_the_front_of_a_problem_with_constraints_is_the_known_one(self):
         front = pp.search_front(srn, SRN_BOX, coding="real", population=60, generations=120)
         y = front.x[:, 1]
@@ -107,6 +114,7 @@ class Fronts(unittest.TestCase):
         self.assertLess(numpy.abs(y - numpy.linspace(2.5, 14.79, 30).reshape(-1, 1)).min(axis=1).max(), 0.8)
         numpy.testing.assert_array_equal(front.values, srn(front.x)[0])
         self.assertTrue((srn(front.x)[1] <= 0).all())
+        self.assertEqual([len(each.split()) for each in front.strings], [2] * 60)  # real numbers
         self.assertGreater(pp.search_front(lambda rows: srn(rows)[0], SRN_BOX, coding="real").x[:, 1].max(), 19)
 
     def test_problem_objects_give_the_front_of_their_function(self):

@@ -1,7 +1,9 @@
 """Tests searches from Python: results are those of the library, whatever computes the fitness and the policies."""
 
+import math
 import pathlib
 import tempfile
+import traceback
 import unittest
 
 import placedpar as pp
@@ -83,6 +85,45 @@ class Searches(unittest.TestCase):
         found = pp.search(sphere, BOX, coding="real", crossover=mean, mutation=reset, generations=60)
         self.assertEqual(seen, {((10,), "f")})
         self.assertLess(found.value, 1e-2)
+
+    def test_bits_and_places_are_whole_numbers(self):
+        kinds = set()
+
+        def kept(x, place, random):
+            kinds.add((x.dtype.kind, tuple(sorted(set(x.tolist())))))
+            return x
+        pp.search("one-max(bits = 8)", mutation=kept, mutation_probability=1, population=4, generations=2)
+        self.assertLessEqual(kinds, {("i", (0,)), ("i", (1,)), ("i", (0, 1))})
+        kinds.clear()
+        pp.search("tour-circle(cities = 6)", mutation=kept, mutation_probability=1, population=4, generations=2)
+        self.assertEqual(kinds, {("i", tuple(range(6)))})
+
+    def test_what_a_policy_returns_must_be_a_string_of_the_kind(self):
+        def search(problem, returned, **more):
+            pp.search(problem, mutation=lambda x, place, random: returned(x), mutation_probability=1, generations=2,
+                      population=4, **more)
+        twice = "returned a permutation with 0, but must return each of the places 0 to 5 once"
+        for problem, returned, said in (("tour-circle(cities = 6)", lambda x: x * 0, twice),
+                                        ("tour-circle(cities = 6)", lambda x: x + 0.5, "a permutation with [0-9.]+, but must"),
+                                        ("one-max(bits = 8)", lambda x: x + 2, "returned [23], but must return bits 0 and 1")):
+            with self.subTest(said), self.assertRaisesRegex(pp.Error, said):
+                search(problem, returned)
+        with self.assertRaisesRegex(pp.Error, "returned nan, but must return numbers"):
+            pp.search(sphere, BOX, coding="real", mutation=lambda x, place, random: x * math.nan, generations=2,
+                      mutation_probability=1)
+
+    def test_an_exception_of_a_policy_keeps_its_traceback(self):
+        def wrong(x, place, random):
+            return undefined_name
+        with self.assertRaises(pp.Error) as raised:
+            pp.search(sphere, BOX, mutation=wrong, mutation_probability=1, generations=2)
+        lines = [frame.line for frame in traceback.extract_tb(raised.exception.__cause__.__traceback__)]
+        self.assertIn("return undefined_name", lines)
+
+    def test_numbers_of_numpy_are_numbers(self):
+        found = pp.search(sphere, BOX, bits=numpy.int64(8), population=numpy.int32(10), generations=numpy.int64(3),
+                          islands=numpy.int16(2), seed=numpy.uint8(3), mutation_probability=numpy.float32(0.5))
+        self.assertEqual(len(found.string), 8 * len(BOX))
 
     def test_the_random_stream_of_a_policy_ends_with_its_call(self):
         kept = []
