@@ -1,7 +1,6 @@
 """Problems in Python: functions, and problem objects of pymoo and pygmo."""
 
-from numbers import Integral
-from typing import Any, Callable, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, Optional, Sequence, Union
 
 from .errors import Error
 
@@ -21,7 +20,7 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
     of the function that searches, for messages."""
     if bounds is not None and not callable(problem):
         raise Error("bounds are for a function: this problem states its own")
-    if isinstance(problem, str) and (maximise or not isinstance(bits, Integral) or bits != default_bits):
+    if isinstance(problem, str) and (maximise or isinstance(bits, Iterable) or bits != default_bits):
         given = "maximise" if maximise else "bits"
         raise Error(f"{given} is for a function: the problem \"{problem}\" states its own goal and bits")
     if hasattr(problem, "_evaluate"):
@@ -38,7 +37,7 @@ def prepared(problem: Problem, bounds: Optional[Bounds], bits: Union[int, Sequen
     if bounds is None and not isinstance(problem, str):
         raise TypeError("a function needs bounds: a pair (least, greatest) for each parameter")
     ranges = [] if bounds is None else [_range(each) for each in bounds]
-    fields = [int(bits)] * len(ranges) if isinstance(bits, Integral) else list(bits)
+    fields = list(bits) if isinstance(bits, Iterable) else [int(bits)] * len(ranges)
     if len(fields) != len(ranges):
         raise TypeError(f"bits has length {len(fields)}, expected one number of bits for each of the {len(ranges)} bounds")
     return problem, ranges, fields
