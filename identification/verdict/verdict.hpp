@@ -114,7 +114,7 @@ public:
     /// and the samples are mostly noise of unknown size.
     static bool is_evidence(const Deviation& movement, hydraulics::AreasFrom valve);
     /// Adds a finished movement. Ignores a movement that had impossible readings or is not evidence. `misfit` is
-    /// MovementFit::misfit. A movement that is no evidence only because of a great misfit counts as unexplained.
+    /// MovementFit::misfit. A movement that would be evidence without its great misfit counts as unexplained.
     void take(const Deviation& movement, hydraulics::AreasFrom valve, double misfit = 1);
     /// Records an impossible reading. The verdict is then `sensor` until a movement has no impossible reading.
     void note_impossible() { state_.impossible_now = state_.impossible = true; }

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -143,7 +144,7 @@ private:
         require_first(key);
         static const std::array ignored{"NAME", "COMMENT", "NODE_COORD_TYPE", "DISPLAY_DATA_TYPE"};
         if (key == "TYPE")
-            choice<bool>({{"ATSP", true}, {"TSP", false}}, value.substr(0, value.find(' ')), key);
+            may_be_asymmetric_ = choice<bool>({{"ATSP", true}, {"TSP", false}}, value.substr(0, value.find(' ')), key);
         else if (key == "DIMENSION")
             cities_ = parse_number<std::size_t>(value).value_or(0);
         else if (key == "EDGE_WEIGHT_TYPE")
@@ -189,6 +190,9 @@ private:
                 refuse(fmt::format("city {} has coordinates twice, expected once", city));
             found[city - 1] = place;
         }
+        text_ >> std::ws;
+        if (std::isdigit(text_.peek()))
+            refuse(fmt::format("after this line follow more cities than \"DIMENSION: {}\" says", cities_));
         std::vector<City> all;
         for (const auto& each : found)
             all.push_back(*each);
@@ -223,6 +227,24 @@ private:
                 }
         if (weights_ >> std::ws && !weights_.eof())
             refuse("the line has more distances than the format and DIMENSION allow");
+        text_ >> std::ws;
+        if (std::isdigit(text_.peek()))
+            refuse("after this line follow more distances than the format and DIMENSION allow");
+        if (!may_be_asymmetric_)
+            require_symmetry();
+    }
+
+    void require_symmetry() const {
+        for (std::size_t row = 0; row < cities_; ++row)
+            for (std::size_t column = 0; column < row; ++column) {
+                const std::int32_t there = distances_[row * cities_ + column],
+                                   back = distances_[column * cities_ + row];
+                if (there != back)
+                    refuse(
+                        fmt::format("the distance from city {} to city {} is {}, but {} in the other direction; write "
+                                    "\"TYPE: ATSP\" if that is right",
+                                    row + 1, column + 1, there, back));
+            }
     }
 
     std::int32_t next_weight() {
@@ -243,7 +265,8 @@ private:
     std::istringstream text_, weights_; ///< the whole file; the current line of a matrix
     std::size_t number_ = 0;            ///< number of the current line
     std::size_t cities_ = 0;
-    std::set<std::string> seen_; ///< keywords and sections read so far
+    std::set<std::string> seen_;     ///< keywords and sections read so far
+    bool may_be_asymmetric_ = false; ///< the type is ATSP
     Distance distance_ = nullptr;
     std::optional<MatrixForm> form_;
     std::vector<std::int32_t> distances_;

@@ -326,9 +326,10 @@ PROC main (CHAN OF SP fs, ts)
             done = self.run_text("PROC main ()\n  SKIP\n:\n", *option, command="check")
             self.assertEqual(done.returncode, 1)
             self.assertIn(f"{option[0]} has no effect on", done.stderr)
-        for parameters, runs in (("CHAN OF INT in, out, VAL INT n, k", False), ("CHAN OF INT a, b", True), ("VAL INT n", False),
-                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF INT a, b, []INT m", True),
-                                 ("CHAN OF INT a, b, []BYTE m", False), ("CHAN OF INT a, b, [9]INT m", False)):
+        for parameters, runs in (("CHAN OF INT in, out, VAL INT n, k", False), ("CHAN OF ANY a, b", True), ("VAL INT n", False),
+                                 ("CHAN OF INT a, b", False), ("CHAN OF INT16::[]BYTE a, b", True),
+                                 ("CHAN OF BYTE keyboard, screen, error", True), ("CHAN OF ANY a, b, []INT m", True),
+                                 ("CHAN OF ANY a, b, []BYTE m", False), ("CHAN OF ANY a, b, [9]INT m", False)):
             done = self.run_text(f"PROC worker ({parameters})\n  SKIP\n:\n", command="check")
             self.assertEqual("PROC worker would be run" in done.stdout, runs, parameters)
             self.assertEqual("only a netlist can use PROC worker, because of its parameters" in done.stdout, not runs)

@@ -45,8 +45,8 @@ double there_and_back(const std::string& type, const std::string& cities) {
     return tour.objective(std::vector<std::size_t>{0, 1});
 }
 
-std::string matrix(const std::string& form, const std::string& numbers) {
-    return "NAME : m\nTYPE : TSP\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_FORMAT : " + form +
+std::string matrix(const std::string& form, const std::string& numbers, const std::string& type = "TSP") {
+    return "NAME : m\nTYPE : " + type + "\nDIMENSION : 3\nEDGE_WEIGHT_TYPE : EXPLICIT\nEDGE_WEIGHT_FORMAT : " + form +
            "\nEDGE_WEIGHT_SECTION\n" + numbers + "\nEOF\n";
 }
 
@@ -148,9 +148,19 @@ TEST_CASE("all forms of a matrix give the same distances") {
                                                           {"UPPER_DIAG_ROW", "0 5 7 0\n9 0"},
                                                           {"LOWER_DIAG_ROW", "0 5 0\n7 9 0"}})
         CHECK(tour_of(matrix(form, numbers)).objective(order) == 21);
-    const TableTour one_way = tour_of(matrix("FULL_MATRIX", "0 5 1\n1 0 9\n7 1 0")); // as of TYPE: ATSP
+    const TableTour one_way = tour_of(matrix("FULL_MATRIX", "0 5 1\n1 0 9\n7 1 0", "ATSP"));
     CHECK(one_way.objective(order) == 21);
     CHECK(one_way.objective(std::vector<std::size_t>{0, 2, 1}) == 3);
+}
+
+TEST_CASE("a matrix that is not symmetric, and more cities than DIMENSION says, are refused") {
+    CHECK(refusal_of(matrix("FULL_MATRIX", "0 5 7\n4 0 9\n7 9 0")) ==
+          "9: the distance from city 2 to city 1 is 4, but 5 in the other direction; write \"TYPE: ATSP\" if that is "
+          "right");
+    CHECK(refusal_of(matrix("UPPER_ROW", "5 7\n9\n3")) ==
+          "8: after this line follow more distances than the format and DIMENSION allow");
+    CHECK(refusal_of("TYPE: TSP\nDIMENSION: 2\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n1 0 0\n2 1 1\n3 2 2\n") ==
+          "6: after this line follow more cities than \"DIMENSION: 2\" says");
 }
 
 TEST_CASE("a file that cannot be read is refused with its line") {
