@@ -45,8 +45,8 @@ struct CompiledOccam {
 CompiledOccam compile_occam(const std::filesystem::path&, const std::vector<std::filesystem::path>& folders,
                             const OccamOptions&, transputer::Model, const WarningSink&);
 
-/// Compiles a program that can_be_run() for a T800, to find what only the compiler refuses. REQUIRES: the program has no
-/// errors. Throws RefusedText.
+/// Compiles a program that can_be_run() for a T800, to find what only the compiler refuses. REQUIRES: the program has
+/// no errors. Throws RefusedText.
 void require_compilable(const std::shared_ptr<const SourceFile>&, const std::vector<std::filesystem::path>& folders,
                         const occam::SourceOptions& wanted);
 
