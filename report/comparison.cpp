@@ -116,11 +116,15 @@ std::string print_known(const Cell& cell) {
     return print(*cell.reference) + (cell.reference_to ? "-" + print(*cell.reference_to) : "");
 }
 
+std::string print_bounds(const Cell& cell) {
+    const std::string low = cell.at_least ? print_bound(">= ", *cell.at_least, cell.decimals) : "";
+    const std::string high = cell.at_most ? print_bound("<= ", *cell.at_most, cell.decimals) : "";
+    return low + (low.empty() || high.empty() ? "" : ", ") + high;
+}
+
 std::string print_error(const Cell& cell, const std::string& against) {
-    if (cell.at_least)
-        return print_bound(">= ", *cell.at_least, cell.decimals);
-    if (cell.at_most)
-        return print_bound("<= ", *cell.at_most, cell.decimals);
+    if (cell.at_least || cell.at_most)
+        return print_bounds(cell);
     if (!std::isfinite(cell.simulated))
         return "";
     if (cell.reference && (cell.tolerance || cell.unit == "%"))

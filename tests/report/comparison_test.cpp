@@ -226,3 +226,10 @@ TEST_CASE("tables are judged only if a deciding table has a bound") {
     bounded.judged = true;
     CHECK(is_any_judged({shown, bounded}));
 }
+
+TEST_CASE("a cell between two bounds shows both") {
+    Comparison comparison{.name = "name"};
+    comparison.cells = {at_most(5, at_least(1, cell("x", "a", "", {}, 3)))};
+    CHECK(print_comparison(comparison).find("3.00  >= 1, <= 5\n") != std::string::npos);
+    CHECK(comparison.cells[0].within_tolerance());
+}
