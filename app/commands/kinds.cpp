@@ -32,10 +32,13 @@ std::string list_kinds(const Catalogue& catalogue) {
                        program_name(), problems_group, policies_group);
 }
 
-/// Returns whether this is the name of a problem, with or without numbers in parentheses.
+/// Returns whether this is the name of a problem, with or without numbers in parentheses, or of a file with a problem,
+/// such as "tsp:berlin52.tsp".
 bool is_problem(const ProblemRegistry& problems, const std::string& name) {
     auto names = problems.names();
-    return std::ranges::count(names, name.substr(0, name.find('('))) > 0;
+    const std::size_t colon = name.find(':');
+    return std::ranges::count(names, name.substr(0, name.find('('))) > 0 ||
+           (colon != name.npos && problems.readers().contains(name.substr(0, colon)));
 }
 
 /// Returns the names that the command accepts besides names of processes and devices.

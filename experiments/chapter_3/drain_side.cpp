@@ -52,6 +52,11 @@ Figures identify_drain(const DrainCase& drain, const char* noise, std::uint64_t 
             100 * link.standard_error / drain.outlet_in3_per_psi};
 }
 
+/// The greatest standard error with which 95 % of normally distributed answers are within 10 %.
+constexpr double greatest_error_percent = 10 / 1.96;
+/// The greatest share of seeds in which the answer may be off by more than 10 % without a flag (our choice).
+constexpr double most_missed = 0.01;
+
 void add_drain(Comparison& comparison, const DrainCase& drain, const std::vector<Figures>& runs) {
     const bool judged = comparison.judged && drain.leak_in3_per_s_psi == 0;
     auto count = [&](auto holds) { return static_cast<std::size_t>(std::ranges::count_if(runs, holds)); };
@@ -59,8 +64,9 @@ void add_drain(Comparison& comparison, const DrainCase& drain, const std::vector
     auto plain = [&](const char* row, const char* unit, double value) {
         comparison.add(plain_cell(row, drain.name, unit, value, 1));
     };
+    const double least_error = lower_median_of(runs, DrainFigure::limit_percent);
     Cell within = share_cell("within 10 %", drain.name, runs.size() - count(off), runs.size());
-    comparison.add(judged ? at_least(95, within) : within);
+    comparison.add(judged && least_error <= greatest_error_percent ? at_least(95, within) : within);
     const Interval share = success_interval(runs.size() - count(off), runs.size());
     plain("  from", "%", share.low);
     plain("  to", "%", share.high);
@@ -69,13 +75,12 @@ void add_drain(Comparison& comparison, const DrainCase& drain, const std::vector
     plain("error, median", "% of C_o", lower_median(errors));
     plain("  from ", "% of C_o", median.low);
     plain("  to ", "% of C_o", median.high);
-    plain("least standard error that the noise allows, median", "% of C_o",
-          lower_median_of(runs, DrainFigure::limit_percent));
+    plain("least standard error that the noise allows, median", "% of C_o", least_error);
     plain("flagged", "%", 100 * mean(column(runs, DrainFigure::flagged)));
     auto silent = [&](const Figures& run) { return off(run) && run[DrainFigure::flagged] == 0; };
     Cell missed =
         plain_cell("off by more than 10 %, without a flag", drain.name, "seeds", static_cast<double>(count(silent)), 0);
-    comparison.add(judged ? at_most(0, missed) : missed);
+    comparison.add(judged ? at_most(most_missed * static_cast<double>(runs.size()), missed) : missed);
 }
 
 Replay replay_drain_side(const ReplayContext& context) {
