@@ -230,6 +230,6 @@ TEST_CASE("tables are judged only if a deciding table has a bound") {
 TEST_CASE("a cell between two bounds shows both") {
     Comparison comparison{.name = "name"};
     comparison.cells = {at_most(5, at_least(1, cell("x", "a", "", {}, 3)))};
-    CHECK(print_comparison(comparison).find("3.00  >= 1, <= 5\n") != std::string::npos);
+    CHECK(print_comparison(comparison).find("3.00 >= 1, <= 5\n") != std::string::npos);
     CHECK(comparison.cells[0].within_tolerance());
 }

@@ -29,7 +29,7 @@ Executive* executive(Simulation& simulation, On on) {
 }
 
 /// Returns the orders in which processes write their letters in runs with many seeds. `make` makes the processes.
-std::set<std::string> orders(On on, const std::function<void(Simulation&, Executive*, std::string&)>& make) {
+std::set<std::string> orders_of_letters(On on, const std::function<void(Simulation&, Executive*, std::string&)>& make) {
     std::set<std::string> seen;
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
         Simulation simulation;
@@ -42,30 +42,30 @@ std::set<std::string> orders(On on, const std::function<void(Simulation&, Execut
     return seen;
 }
 
-const std::set<std::string> all_orders{"abc", "acb", "bac", "bca", "cab", "cba"};
+const std::set<std::string> orders_of_abc{"abc", "acb", "bac", "bca", "cab", "cba"};
 
 } // namespace
 
 TEST_CASE("in shuffled runs, processes on the same executive begin in every order") {
     for (const On on : {On::nothing, On::processor, On::workstation})
-        CHECK(orders(on, [](Simulation& simulation, Executive* where, std::string& order) {
+        CHECK(orders_of_letters(on, [](Simulation& simulation, Executive* where, std::string& order) {
                   for (const char letter : {'a', 'b', 'c'})
                       simulation.process(
                           std::string(1, letter), [&order, letter] { order += letter; }, where);
-              }) == all_orders);
+              }) == orders_of_abc);
 }
 
 TEST_CASE("in shuffled runs, the components of a PAR run in every order") {
     for (const On on : {On::nothing, On::processor, On::workstation})
-        CHECK(orders(on, [](Simulation& simulation, Executive* where, std::string& order) {
+        CHECK(orders_of_letters(on, [](Simulation& simulation, Executive* where, std::string& order) {
                   simulation.process(
                       "parent", [&order] { par([&] { order += "a"; }, [&] { order += "b"; }, [&] { order += "c"; }); },
                       where);
-              }) == all_orders);
+              }) == orders_of_abc);
 }
 
 TEST_CASE("in shuffled runs, processes of high priority still run first") {
-    CHECK(orders(On::processor, [](Simulation& simulation, Executive* where, std::string& order) {
+    CHECK(orders_of_letters(On::processor, [](Simulation& simulation, Executive* where, std::string& order) {
               simulation.process(
                   "parent",
                   [&order] {
