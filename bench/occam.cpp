@@ -51,7 +51,7 @@ Image compiled(std::shared_ptr<const SourceFile> file) {
 class Server final : public LinkEngines {
 public:
     void begin_transfer(int channel, Word address, Word bytes) override {
-        (channel == 0 ? output_ : input_) = {NodeMemory::offset_of(address), bytes};
+        (channel == 0 ? output_ : input_) = std::pair<Word, Word>(NodeMemory::offset_of(address), bytes);
     }
     bool byte_waits(int) override { return false; }
     void reset(int) override {}
