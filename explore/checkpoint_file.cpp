@@ -26,7 +26,7 @@ namespace {
 
 namespace json = boost::json;
 
-constexpr std::string_view checkpoint_format = "checkpoint 2"; ///< changes whenever the format of the file changes
+constexpr std::string_view checkpoint_format = "checkpoint 3"; ///< changes whenever the format of the file changes
 
 /// Returns an individual as JSON. The fitness is stored as its bits, so that reading restores it exactly.
 json::object json_of(const Individual& individual) {
@@ -78,6 +78,18 @@ SearchCheckpoint checkpoint_from(const json::value& value, std::uint64_t generat
     checkpoint.best = individual_from(value.at("best"));
     checkpoint.improvements = improvements_from(value.at("improvements"), generation);
     return checkpoint;
+}
+
+/// Returns the checksum of a file's contents, without the checksum itself.
+std::string checksum_text(const json::object& contents) {
+    return hex(static_cast<std::uint64_t>(checksum_of(json::serialize(contents))));
+}
+
+/// Returns whether the checksum in the file is that of its other contents.
+bool has_right_checksum(json::object file) {
+    const auto stored = json::value_to<std::string>(file.at("checksum"));
+    file.stable_erase(file.find("checksum"));
+    return stored == checksum_text(file);
 }
 
 /// Throws UserError if the results of the search depend on data that a checkpoint does not contain.
@@ -190,6 +202,8 @@ void CheckpointFile::take(const json::value& file) {
         throw UserError(fmt::format("{}: another version of PlacedPar wrote this checkpoint, in the format \"{}\" "
                                     "(expected \"{}\"): continue with that version, or delete the file to begin anew",
                                     path_.string(), format, checkpoint_format));
+    if (!has_right_checksum(file.as_object()))
+        refuse_file("its checksum is not that of its contents, so the file is damaged");
     require_same_run(file);
     begin_ = file.at("generation").to_number<std::uint64_t>();
     if (begin_ == 0)
@@ -206,10 +220,12 @@ void CheckpointFile::write(const States& states) const {
         search["parameters"] = json::value_from(each.parameters);
         kept.emplace_back(std::move(search));
     }
-    const json::object file{{"placedpar", checkpoint_format},
-                            {"seed", seed_},
-                            {"generation", states.begin()->second.search.generation},
-                            {"searches", std::move(kept)}};
+    json::object file{{"placedpar", checkpoint_format},
+                      {"seed", seed_},
+                      {"generation", states.begin()->second.search.generation},
+                      {"searches", std::move(kept)}};
+    const std::string checksum = checksum_text(file);
+    file["checksum"] = checksum;
     write_whole(path_, print_pretty(file));
 }
 

@@ -37,6 +37,23 @@ rep i = 0 for 2 {
 """
 
 
+def crc64(data):
+    """Returns the CRC-64 of ECMA-182, as in xz."""
+    value = 2 ** 64 - 1
+    for byte in data:
+        value ^= byte
+        for _ in range(8):
+            value = value >> 1 ^ (0xC96C5795D7870F42 if value & 1 else 0)
+    return value ^ 2 ** 64 - 1
+
+
+def sealed(stored):
+    """Returns the text of a checkpoint file with these contents and their checksum."""
+    contents = {name: value for name, value in stored.items() if name != "checksum"}
+    text = json.dumps(contents, separators=(",", ":")).encode()
+    return json.dumps({**contents, "checksum": f"{crc64(len(text).to_bytes(8, 'little') + text):016x}"})
+
+
 def results(netlist, *arguments):
     """Returns what the searches found, and the hash of all their generations."""
     with tempfile.TemporaryDirectory() as folder:
@@ -193,7 +210,7 @@ class Refusals(unittest.TestCase):
         placedpar("run", ISLANDS, "--checkpoint", self.file)
         stored = json.loads(self.file.read_text(encoding="utf-8"))
         for generation in (10000, 2 ** 64 - 1):
-            self.file.write_text(json.dumps({**stored, "generation": generation}), encoding="utf-8")
+            self.file.write_text(sealed({**stored, "generation": generation}), encoding="utf-8")
             self.assertIn("this search ends with generation 80, before the generation of the checkpoint: ",
                           self.refused())
 
@@ -208,14 +225,16 @@ class Refusals(unittest.TestCase):
         good = self.file.read_text(encoding="utf-8")
         stored = json.loads(good)
         for name, value in (("generation", -1), ("generation", 0), ("searches", {})):
-            self.file.write_text(json.dumps({**stored, name: value}), encoding="utf-8")
+            self.file.write_text(sealed({**stored, name: value}), encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
         self.file.write_text(json.dumps({**stored, "placedpar": "checkpoint 1"}), encoding="utf-8")
         self.assertIn("another version of PlacedPar wrote this checkpoint", self.refused())
         for text in ("", "{", good[:len(good) // 2], good + "x", "[" * 100000, "\0"):
             self.file.write_text(text, encoding="utf-8")
             self.assertIn("this is not a checkpoint of a search", self.refused())
-        self.file.write_text(good.replace('"population": [', '"population": ["01",'), encoding="utf-8")
+        self.file.write_text(good.replace('"generation": ', '"generation": 1'), encoding="utf-8")
+        self.assertIn("its checksum is not that of its contents, so the file is damaged", self.refused())
+        self.file.write_text(sealed(json.loads(good.replace('"population": [', '"population": ["01",'))), encoding="utf-8")
         self.assertIn("the checkpoint belongs to another search: expected 15 strings of this search's representation", self.refused())
         self.file.unlink()
         self.file.mkdir()

@@ -5,9 +5,12 @@
 #include "explore/load.hpp"
 #include "explore/netlist_run.hpp"
 #include "explore/problems.hpp"
+#include "report/manifest.hpp"
 #include "tests/scratch.hpp"
+#include "text/checksum.hpp"
 #include "text/user_error.hpp"
 
+#include <boost/json.hpp>
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
@@ -52,6 +55,15 @@ std::string with_change(std::string text, const std::string& old, const std::str
     const std::size_t at = text.find(old);
     REQUIRE(at != std::string::npos);
     return text.replace(at, old.size(), with);
+}
+
+/// Returns the file with the right checksum of its contents.
+std::string sealed(const std::string& text) {
+    boost::json::object file = boost::json::parse(text).as_object();
+    file.stable_erase(file.find("checksum"));
+    const std::string checksum = hex(static_cast<std::uint64_t>(checksum_of(boost::json::serialize(file))));
+    file["checksum"] = checksum;
+    return boost::json::serialize(file);
 }
 
 } // namespace
@@ -118,13 +130,13 @@ TEST_CASE("damaged files are refused, and nothing is read beyond them") {
     const std::string whole = folder.read(written_checkpoint(folder).filename().string());
     std::vector<std::string> damaged{"", "{", "[]", "{}", "null", "\xff\xfe", whole + "x"};
     damaged.push_back(whole.substr(0, whole.size() / 2));
-    damaged.push_back(with_change(whole, "\"generation\": 10", "\"generation\": 0"));
-    damaged.push_back(with_change(whole, "\"generation\": 10", "\"generation\": -1"));
-    damaged.push_back(with_change(whole, "\"generation\": 4", "\"generation\": 1"));
-    damaged.push_back(with_change(whole, "\"generation\": 4", "\"generation\": 11"));
-    damaged.push_back(with_change(whole, "0110", "01x0"));
-    damaged.push_back(with_change(whole, "\"redraws\": 2", "\"redraws\": \"2\""));
-    damaged.push_back(with_change(whole, "fitness_bits", "fitness"));
+    damaged.push_back(sealed(with_change(whole, "\"generation\": 10", "\"generation\": 0")));
+    damaged.push_back(sealed(with_change(whole, "\"generation\": 10", "\"generation\": -1")));
+    damaged.push_back(sealed(with_change(whole, "\"generation\": 4", "\"generation\": 1")));
+    damaged.push_back(sealed(with_change(whole, "\"generation\": 4", "\"generation\": 11")));
+    damaged.push_back(sealed(with_change(whole, "0110", "01x0")));
+    damaged.push_back(sealed(with_change(whole, "\"redraws\": 2", "\"redraws\": \"2\"")));
+    damaged.push_back(sealed(with_change(whole, "fitness_bits", "fitness")));
     for (const std::string& text : damaged) {
         CAPTURE(text);
         CHECK_THROWS_WITH_AS(checkpoint_at(folder.write("damaged", text)),
@@ -132,14 +144,34 @@ TEST_CASE("damaged files are refused, and nothing is read beyond them") {
     }
 }
 
+TEST_CASE("a file with a flipped bit is refused, or has the same states") {
+    const Scratch folder;
+    const std::string whole = folder.read(written_checkpoint(folder).filename().string());
+    CHECK(checkpoint_at(folder.write("sealed", sealed(whole))).begin() == 10);
+    std::size_t read = 0;
+    for (std::size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+        std::string flipped = whole;
+        flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+        const auto path = folder.write("flipped", flipped);
+        try {
+            const CheckpointFile file = checkpoint_at(path);
+            CHECK(*file.begin_of("a") == odd_state(10));
+            CHECK(*file.begin_of("b") == odd_state(10));
+            ++read;
+        } catch (const UserError&) {
+        }
+    }
+    CHECK(read < whole.size()); // only bits of blanks
+}
+
 TEST_CASE("a checkpoint of another version is refused with both formats") {
     const Scratch folder;
     const std::string whole = folder.read(written_checkpoint(folder).filename().string());
     CHECK_THROWS_WITH_AS(
-        checkpoint_at(folder.write("old", with_change(whole, "checkpoint 2", "checkpoint 1"))),
+        checkpoint_at(folder.write("old", with_change(whole, "checkpoint 3", "checkpoint 2"))),
         doctest::Contains(
-            "another version of PlacedPar wrote this checkpoint, in the format \"checkpoint 1\" (expected "
-            "\"checkpoint 2\"): "),
+            "another version of PlacedPar wrote this checkpoint, in the format \"checkpoint 2\" (expected "
+            "\"checkpoint 3\"): "),
         UserError);
 }
 
